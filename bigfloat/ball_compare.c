@@ -1,0 +1,193 @@
+/* ball_compare.c: exact comparison of endpoints, and the questions about balls. */
+#include "ball.h"
+#include "ball_internal.h"
+
+/* ---- dyadic numbers ---- */
+
+/* The 64 bits of w whose highest has the weight 2^(e + top - 1 - 64 i), counted from position `top` bits. */
+static limb_t window(const dyadic *x, int64_t bits, int64_t i)
+{
+    int64_t low = bits - 64 * (i + 1); /* position of the window's lowest bit */
+    if (low <= -64)
+        return 0;
+    if (low < 0)
+        return x->w[0] << -low;
+    size_t at = (size_t)low / 64;
+    unsigned s = (unsigned)(low % 64);
+    limb_t v = x->w[at] >> s;
+    return s && at + 1 < x->n ? v | x->w[at + 1] << (64 - s) : v;
+}
+
+static int compare_magnitudes(const dyadic *x, const dyadic *y)
+{
+    int64_t bx = (int64_t)limb_bit_length(x->w, x->n), by = (int64_t)limb_bit_length(y->w, y->n);
+    if (bx + x->e != by + y->e)
+        return bx + x->e < by + y->e ? -1 : 1;
+    int64_t most = (bx > by ? bx : by) / 64 + 1;
+    for (int64_t i = 0; i < most; i++) {
+        limb_t a = window(x, bx, i), b = window(y, by, i);
+        if (a != b)
+            return a < b ? -1 : 1;
+    }
+    return 0;
+}
+
+int dyadic_compare(const dyadic *x, const dyadic *y)
+{
+    int s = x->n == 0 ? 0 : x->negative ? -1 : 1, t = y->n == 0 ? 0 : y->negative ? -1 : 1;
+    if (s != t)
+        return s < t ? -1 : 1;
+    return s == 0 ? 0 : s * compare_magnitudes(x, y);
+}
+
+void ball_endpoint(dyadic *d, limb_t *w, const ball *x, bool upper)
+{
+    size_t n = ball_length(x);
+    d->negative = x->size < 0;
+    d->e = x->exponent;
+    d->w = w;
+    limb_copy(w, ball_limbs(x), n);
+    w[n] = 0;
+    if (n == 0) {
+        w[0] = x->error;
+        d->negative = !upper;
+        d->n = x->error != 0;
+        return;
+    }
+    if (d->negative != upper) /* away from 0 */
+        limb_add_1(w, w, n + 1, x->error);
+    else if (limb_sub_1(w, w, n, x->error)) { /* past 0: n = 1 */
+        w[0] = 0 - w[0];
+        d->negative = !d->negative;
+    }
+    d->n = limb_normal(w, n + 1);
+}
+
+/* The order of an endpoint of x and one of y; 2 = no memory. */
+static int compare_endpoints(const ball *x, bool x_upper, const ball *y, bool y_upper)
+{
+    ball_scratch space;
+    size_t m = ball_length(x) + 1, n = ball_length(y) + 1;
+    limb_t *w = ball_scratch_new(&space, m + n);
+    int order = 2;
+    if (w) {
+        dyadic a, b;
+        ball_endpoint(&a, w, x, x_upper);
+        ball_endpoint(&b, w + m, y, y_upper);
+        order = dyadic_compare(&a, &b);
+    }
+    ball_scratch_free(&space);
+    return order;
+}
+
+/* ---- signs ---- */
+
+/* Has every number the sign of m?  (Then m != 0.) */
+static bool sign_is_sure(const ball *x)
+{
+    return x->size > 1 || x->size < -1 || (x->size && ball_limbs(x)[0] > x->error);
+}
+
+bool ball_contains_zero(const ball *x)
+{
+    return !sign_is_sure(x); /* an indeterminate ball has size 0 */
+}
+
+truth ball_is_positive(const ball *x)
+{
+    if (sign_is_sure(x))
+        return x->size > 0 ? TRUTH_TRUE : TRUTH_FALSE;
+    if (ball_is_special(x))
+        return TRUTH_UNKNOWN;
+    /* 0 inside: no number is positive if m + err = 0 */
+    limb_t a = x->size ? ball_limbs(x)[0] : 0;
+    return (x->size < 0 ? a == x->error : x->size == 0 && x->error == 0) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+truth ball_is_negative(const ball *x)
+{
+    if (sign_is_sure(x))
+        return x->size < 0 ? TRUTH_TRUE : TRUTH_FALSE;
+    if (ball_is_special(x))
+        return TRUTH_UNKNOWN;
+    limb_t a = x->size ? ball_limbs(x)[0] : 0;
+    return (x->size > 0 ? a == x->error : x->size == 0 && x->error == 0) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+truth ball_is_zero(const ball *x)
+{
+    if (sign_is_sure(x))
+        return TRUTH_FALSE;
+    return !ball_is_special(x) && ball_is_exact_zero(x) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+}
+
+/* ---- order and containment ---- */
+
+truth ball_less(const ball *x, const ball *y)
+{
+    if (ball_is_special(x) || ball_is_special(y))
+        return TRUTH_UNKNOWN;
+    int c = compare_endpoints(x, true, y, false);
+    if (c == -1)
+        return TRUTH_TRUE;
+    if (c == 2)
+        return TRUTH_UNKNOWN;
+    c = compare_endpoints(x, false, y, true);
+    return c == 0 || c == 1 ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+bool ball_contains(const ball *x, const ball *y)
+{
+    if (ball_is_special(x))
+        return true;
+    if (ball_is_special(y))
+        return false;
+    int a = compare_endpoints(x, false, y, false), b = compare_endpoints(y, true, x, true);
+    return a <= 0 && b <= 0;
+}
+
+bool ball_contains_interior(const ball *x, const ball *y)
+{
+    if (ball_is_special(x))
+        return true;
+    if (ball_is_special(y))
+        return false;
+    return compare_endpoints(x, false, y, false) == -1 && compare_endpoints(y, true, x, true) == -1;
+}
+
+bool ball_overlaps(const ball *x, const ball *y)
+{
+    if (ball_is_special(x) || ball_is_special(y))
+        return true;
+    return compare_endpoints(x, false, y, true) != 1 && compare_endpoints(y, false, x, true) != 1;
+}
+
+/* Order of an endpoint and p / q: of endpoint q and p; 2 = no memory. */
+static int compare_with_rational(const ball *x, bool upper, const rational *q)
+{
+    size_t n = ball_length(x) + 1, m = (size_t)integer_length(&q->denominator);
+    ball_scratch space;
+    limb_t *w = ball_scratch_new(&space, 2 * n + m);
+    int order = 2;
+    if (w) {
+        dyadic a, p = {integer_limbs(&q->numerator), (size_t)integer_length(&q->numerator), q->numerator.size < 0, 0};
+        ball_endpoint(&a, w, x, upper);
+        limb_t *product = w + n;
+        const limb_t *d = integer_limbs(&q->denominator);
+        if (a.n == 0 || (a.n >= m ? limb_multiply(product, a.w, a.n, d, m) : limb_multiply(product, d, m, a.w, a.n))) {
+            a.n = a.n ? limb_normal(product, a.n + m) : 0;
+            a.w = product;
+            order = dyadic_compare(&a, &p);
+        }
+    }
+    ball_scratch_free(&space);
+    return order;
+}
+
+bool ball_contains_rational(const ball *x, const rational *q)
+{
+    if (ball_is_special(x))
+        return true;
+    int a = compare_with_rational(x, false, q), b = compare_with_rational(x, true, q);
+    return a <= 0 && (b == 0 || b == 1);
+}

@@ -1,0 +1,52 @@
+# bigfloat: numbers, from limbs to text. Uses libc and libm only.
+
+BIGFLOAT_SOURCES = \
+  bigfloat/truth.h \
+  \
+  bigfloat/limb.h \
+  bigfloat/limb.c \
+  bigfloat/limb_mul.c \
+  bigfloat/limb_div.c \
+  bigfloat/limb_sqrt.c \
+  \
+  bigfloat/integer.h bigfloat/integer_internal.h \
+  bigfloat/integer.c \
+  bigfloat/integer_mul.c \
+  bigfloat/integer_div.c \
+  bigfloat/integer_text.c \
+  \
+  bigfloat/rational.h \
+  bigfloat/rational.c \
+  bigfloat/rational_text.c \
+  \
+  bigfloat/number_common.h bigfloat/number_array.h \
+  \
+  bigfloat/ball.h bigfloat/ball_internal.h \
+  bigfloat/ball.c \
+  bigfloat/ball_add.c \
+  bigfloat/ball_mul.c \
+  bigfloat/ball_div.c \
+  bigfloat/ball_compare.c \
+  bigfloat/ball_sets.c \
+  bigfloat/ball_convert.c \
+  bigfloat/ball_pi.c \
+  bigfloat/ball_trig.c \
+  bigfloat/trig_pi.h bigfloat/trig_pi.c \
+  bigfloat/ball_text.c \
+  \
+  bigfloat/interval.h \
+  bigfloat/interval.c \
+  bigfloat/interval_self_test.c \
+  \
+  bigfloat/grid.h bigfloat/grid_internal.h \
+  bigfloat/grid.c \
+  bigfloat/grid_mul.c \
+  bigfloat/grid_div.c \
+  bigfloat/grid_trig.c \
+  bigfloat/grid_compare.c \
+  bigfloat/grid_text.c \
+  \
+  bigfloat/number.h
+
+noinst_LIBRARIES += libbigfloat.a
+libbigfloat_a_SOURCES = $(BIGFLOAT_SOURCES)

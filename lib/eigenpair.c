@@ -1,0 +1,273 @@
+/* eigenpair.c: the equations, the Krawczyk operator, and the search for a box that it maps into itself.
+
+   The unknowns z are the components of x other than the pivot's, in order, then the eigenvalue.  The equations
+   are F_i(z) = (b x)_i - eigenvalue x_i = 0, i = 0..n-1. */
+#include "eigenpair.h"
+
+#include "eigen_approx.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Work space of one proof or search. */
+typedef struct {
+    int n, pivot;
+    const number *b;
+    number *approximation; /* n + 1: x with its 1, then the eigenvalue, thin where the number system can */
+    number *residual;      /* n */
+    number *derivative;    /* n x n */
+    number *inverse;       /* n x n */
+    number *image;         /* n: Krawczyk operator minus the approximation */
+} workspace;
+
+static bool workspace_make(workspace *w, const number *b, int n, int pivot)
+{
+    size_t square = (size_t)n * (size_t)n;
+    w->n = n;
+    w->pivot = pivot;
+    w->b = b;
+    w->approximation = number_array_new((size_t)n + 1);
+    w->residual = number_array_new((size_t)n);
+    w->derivative = number_array_new(square);
+    w->inverse = number_array_new(square);
+    w->image = number_array_new((size_t)n);
+    return w->approximation && w->residual && w->derivative && w->inverse && w->image;
+}
+
+static void free_numbers(number *a, size_t count)
+{
+    if (a)
+        number_array_free(a, count);
+}
+
+static void workspace_free(workspace *w)
+{
+    size_t n = (size_t)w->n;
+    free_numbers(w->approximation, n + 1);
+    free_numbers(w->residual, n);
+    free_numbers(w->derivative, n * n);
+    free_numbers(w->inverse, n * n);
+    free_numbers(w->image, n);
+}
+
+/* Which entry of x the unknown number l is; n for the eigenvalue. */
+static int component(const workspace *w, int l)
+{
+    return l == w->n - 1 ? w->n : l < w->pivot ? l : l + 1;
+}
+
+/* residual = F(x, eigenvalue). */
+static void evaluate(workspace *w, const number *x, long prec)
+{
+    for (int i = 0; i < w->n; i++) {
+        number *f = &w->residual[i];
+        number_zero(f);
+        for (int j = 0; j < w->n; j++)
+            number_addmul(f, &w->b[i * w->n + j], &x[j], prec);
+        number_submul(f, &x[w->n], &x[i], prec);
+    }
+}
+
+/* derivative = F' at (for all points of) x, eigenvalue. */
+static void differentiate(workspace *w, const number *x, long prec)
+{
+    for (int i = 0; i < w->n; i++)
+        for (int l = 0; l < w->n; l++) {
+            int j = component(w, l);
+            number *g = &w->derivative[i * w->n + l];
+            if (j == w->n) {
+                number_neg(g, &x[i]);
+            } else {
+                number_set(g, &w->b[i * w->n + j]);
+                if (i == j)
+                    number_sub(g, g, &x[w->n], prec);
+            }
+        }
+}
+
+/* image = -Y F(approximation) + (I - Y F') [-radius, radius]. */
+static void krawczyk(workspace *w, const number *radius, long prec)
+{
+    number sum, spread;
+    number_init(&sum);
+    number_init(&spread);
+    number_add_error(&spread, &spread, radius, prec);
+    for (int i = 0; i < w->n; i++) {
+        const number *row = &w->inverse[i * w->n];
+        number *k = &w->image[i];
+        number_zero(k);
+        for (int l = 0; l < w->n; l++)
+            number_submul(k, &row[l], &w->residual[l], prec);
+        for (int l = 0; l < w->n; l++) {
+            number_set_si(&sum, i == l, prec);
+            for (int q = 0; q < w->n; q++)
+                number_submul(&sum, &row[q], &w->derivative[q * w->n + l], prec);
+            number_addmul(k, &sum, &spread, prec);
+        }
+    }
+    number_clear(&sum);
+    number_clear(&spread);
+}
+
+static void load(workspace *w, const eigenpair_choice *c, long prec)
+{
+    for (int l = 0; l < w->n; l++)
+        number_set_integer_2exp(&w->approximation[component(w, l)], &c->approximation[l], -c->grid, prec);
+    number_one(&w->approximation[w->pivot]);
+    for (int i = 0; i < w->n * w->n; i++)
+        number_set_integer_2exp(&w->inverse[i], &c->inverse[i], -EIGENPAIR_INVERSE_BITS, prec);
+}
+
+/* box = approximation +- radius, but for the pivot's 1. */
+static void make_box(number *box, const workspace *w, const number *radius, long prec)
+{
+    for (int j = 0; j <= w->n; j++) {
+        if (j == w->pivot)
+            number_set(&box[j], &w->approximation[j]);
+        else
+            number_add_error(&box[j], &w->approximation[j], radius, prec);
+    }
+}
+
+/* Is every component of the image strictly inside (-radius, radius)? */
+static truth is_inside(const workspace *w, const number *radius)
+{
+    truth inside = TRUTH_TRUE;
+    number minus;
+    number_init(&minus);
+    number_neg(&minus, radius);
+    for (int i = 0; i < w->n; i++)
+        if (number_less(&w->image[i], radius) != TRUTH_TRUE || number_less(&minus, &w->image[i]) != TRUTH_TRUE)
+            inside = number_lacks_memory(&w->image[i]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    number_clear(&minus);
+    return inside;
+}
+
+truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec)
+{
+    workspace w;
+    number radius;
+    truth proved = TRUTH_FALSE;
+    number_init(&radius);
+    if (workspace_make(&w, b, choice->n, choice->pivot)) {
+        load(&w, choice, prec);
+        number_set_integer_2exp(&radius, &choice->radius, -choice->grid, prec);
+        make_box(box, &w, &radius, prec);
+        evaluate(&w, w.approximation, prec);
+        differentiate(&w, box, prec);
+        krawczyk(&w, &radius, prec);
+        proved = is_inside(&w, &radius);
+    }
+    workspace_free(&w);
+    number_clear(&radius);
+    return proved;
+}
+
+/* ---- the search ---- */
+
+/* approximation = the eigenpair that doubles find; inverse = roughly the inverse of F' there, on its grid. */
+static bool start(workspace *w, double *work, eigenpair_choice *choice, long prec)
+{
+    int n = w->n;
+    size_t square = (size_t)n * (size_t)n;
+    double *b = work, *inverse = work + square, *x = work + 2 * square, eigenvalue;
+    for (int i = 0; i < n * n; i++)
+        b[i] = number_mid_approx(&w->b[i]);
+    if (!eigen_dominant_approx(&eigenvalue, x, &w->pivot, b, n))
+        return false;
+    choice->pivot = w->pivot;
+    for (int j = 0; j < n; j++)
+        number_set_double(&w->approximation[j], x[j], prec);
+    number_one(&w->approximation[w->pivot]);
+    number_set_double(&w->approximation[n], eigenvalue, prec);
+    differentiate(w, w->approximation, prec);
+    for (int i = 0; i < n * n; i++)
+        b[i] = number_mid_approx(&w->derivative[i]);
+    if (!matrix_inverse_approx(inverse, b, n))
+        return false;
+    for (int i = 0; i < n * n; i++) {
+        number_set_double(&w->inverse[i], inverse[i], prec);
+        if (!(fabs(inverse[i]) < 0x1p60) || !number_mid_grid(&choice->inverse[i], &w->inverse[i], EIGENPAIR_INVERSE_BITS))
+            return false;
+        number_set_integer_2exp(&w->inverse[i], &choice->inverse[i], -EIGENPAIR_INVERSE_BITS, prec);
+    }
+    return true;
+}
+
+/* approximation -= Y F(approximation), about 30 bits better each time; returns the size of the step. */
+static double improve(workspace *w, long prec)
+{
+    double step = 0;
+    number zero;
+    number_init(&zero);
+    evaluate(w, w->approximation, prec);
+    krawczyk(w, &zero, prec);
+    for (int l = 0; l < w->n; l++) {
+        number *z = &w->approximation[component(w, l)];
+        double size = fabs(number_mid_approx(&w->image[l]));
+        number_add(z, z, &w->image[l], prec);
+        number_midpoint(z, z, prec);
+        step = size > step ? size : step;
+    }
+    number_clear(&zero);
+    return step;
+}
+
+/* Takes the approximation over as integers; the radius starts at the size of -Y F there and grows until the proof
+   succeeds, then once more, so that rounding differently costs nothing. */
+static truth settle(workspace *w, eigenpair_choice *choice, long prec)
+{
+    number *box = number_array_new((size_t)w->n + 1);
+    double error = 0;
+    truth proved = box ? TRUTH_UNKNOWN : TRUTH_FALSE;
+    for (int l = 0; proved == TRUTH_UNKNOWN && l < w->n; l++)
+        if (!number_mid_grid(&choice->approximation[l], &w->approximation[component(w, l)], choice->grid))
+            proved = TRUTH_FALSE;
+    if (proved == TRUTH_UNKNOWN) {
+        number zero;
+        number_init(&zero);
+        load(w, choice, prec);
+        evaluate(w, w->approximation, prec);
+        krawczyk(w, &zero, prec);
+        for (int l = 0; l < w->n; l++) {
+            error = fmax(error, fabs(number_upper_bound(&w->image[l])));
+            error = fmax(error, fabs(number_lower_bound(&w->image[l])));
+        }
+        number_clear(&zero);
+    }
+    long bits = choice->grid + (error > 0 ? ilogb(error) : -choice->grid) + 2;
+    for (bits = bits < 3 ? 3 : bits; proved == TRUTH_UNKNOWN && bits < choice->grid && error < 1; bits += 2) {
+        integer_set_si(&choice->radius, 1);
+        if (!integer_mul_2exp(&choice->radius, &choice->radius, (unsigned long)bits))
+            proved = TRUTH_FALSE;
+        else
+            proved = eigenpair_prove(box, choice, w->b, prec);
+        if (proved == TRUTH_TRUE && !integer_mul_2exp(&choice->radius, &choice->radius, 2))
+            proved = TRUTH_FALSE;
+    }
+    free_numbers(box, (size_t)w->n + 1);
+    return proved;
+}
+
+truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, long g, long prec)
+{
+    workspace w;
+    size_t square = (size_t)n * (size_t)n;
+    double *work = malloc((2 * square + (size_t)n) * sizeof *work);
+    truth found = TRUTH_FALSE;
+    bool made = workspace_make(&w, b, n, 0);
+    if (made && work && eigenpair_choice_make(z, n, g)) {
+        found = TRUTH_UNKNOWN;
+        if (start(&w, work, z, prec)) {
+            double step = 1, last;
+            do {
+                last = step;
+                step = improve(&w, prec);
+            } while (step < last / 2);
+            found = settle(&w, z, prec);
+        }
+    }
+    workspace_free(&w);
+    free(work);
+    return found;
+}

@@ -1,0 +1,44 @@
+/* eigenpair_choice.c: life of an eigenpair_choice. */
+#include "eigenpair_choice.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void eigenpair_choice_init(eigenpair_choice *z)
+{
+    memset(z, 0, sizeof *z);
+    integer_init(&z->radius);
+}
+
+static integer *new_integers(int count)
+{
+    integer *a = malloc((size_t)count * sizeof *a);
+    for (int i = 0; a && i < count; i++)
+        integer_init(&a[i]);
+    return a;
+}
+
+static void free_integers(integer *a, int count)
+{
+    for (int i = 0; a && i < count; i++)
+        integer_clear(&a[i]);
+    free(a);
+}
+
+bool eigenpair_choice_make(eigenpair_choice *z, int n, long grid)
+{
+    eigenpair_choice_clear(z);
+    z->approximation = new_integers(n);
+    z->inverse = new_integers(n * n);
+    z->n = n;
+    z->grid = grid;
+    return z->approximation && z->inverse;
+}
+
+void eigenpair_choice_clear(eigenpair_choice *z)
+{
+    free_integers(z->approximation, z->n);
+    free_integers(z->inverse, z->n * z->n);
+    integer_clear(&z->radius);
+    eigenpair_choice_init(z);
+}

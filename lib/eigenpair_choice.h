@@ -1,0 +1,23 @@
+/* eigenpair_choice.h: the choices that make the proof of an eigenpair: exact integers, the same for all number
+   systems (verify/certificate.md, section 6). */
+#ifndef LIB_EIGENPAIR_CHOICE_H
+#define LIB_EIGENPAIR_CHOICE_H
+
+#include "../bigfloat/integer.h"
+
+#define EIGENPAIR_INVERSE_BITS 32
+
+typedef struct {
+    int n;                  /* order of the block */
+    int pivot;              /* the component of the eigenvector that is fixed to 1, from 0 */
+    long grid;              /* approximation and radius are in units of 2^-grid */
+    integer *approximation; /* n: the other components in order, then the eigenvalue */
+    integer radius;         /* of the box in every unknown, > 0 */
+    integer *inverse;       /* n x n preconditioner, row by row, in units of 2^-EIGENPAIR_INVERSE_BITS */
+} eigenpair_choice;
+
+void eigenpair_choice_init(eigenpair_choice *z);
+BIGFLOAT_MUST_USE bool eigenpair_choice_make(eigenpair_choice *z, int n, long grid); /* all 0 */
+void eigenpair_choice_clear(eigenpair_choice *z);
+
+#endif

@@ -1,0 +1,100 @@
+/* spectrum.c: rho(C)^(2^p) <= |C^(2^p)| in the maximum norm. */
+#include "spectrum.h"
+
+#include <stdlib.h>
+
+void matrix_deflate(number *z, const number *b, const number *x, int n, int pivot, long prec)
+{
+    int row = 0;
+    for (int i = 0; i < n; i++) {
+        if (i == pivot)
+            continue;
+        for (int j = 0, column = 0; j < n; j++) {
+            number *entry = &z[row * (n - 1) + column];
+            if (j == pivot)
+                continue;
+            number_set(entry, &b[i * n + j]);
+            if (x)
+                number_submul(entry, &x[i], &b[pivot * n + j], prec);
+            else
+                number_sub(entry, entry, &b[pivot * n + j], prec);
+            column++;
+        }
+        row++;
+    }
+}
+
+static void square(number *z, const number *c, int n, long prec)
+{
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            number *entry = &z[i * n + j];
+            number_zero(entry);
+            for (int l = 0; l < n; l++)
+                number_addmul(entry, &c[i * n + l], &c[l * n + j], prec);
+        }
+}
+
+/* norm = the largest row sum of magnitudes.  Returns the largest magnitude that is certainly attained, roughly: the
+   distance of an entry from 0. */
+static double row_norm(number *norm, const number *c, int n, long prec)
+{
+    double attained = 0;
+    number sum, magnitude;
+    number_init(&sum);
+    number_init(&magnitude);
+    number_zero(norm);
+    for (int i = 0; i < n; i++) {
+        number_zero(&sum);
+        for (int j = 0; j < n; j++) {
+            double low = number_lower_bound(&c[i * n + j]), high = number_upper_bound(&c[i * n + j]);
+            number_magnitude_upper(&magnitude, &c[i * n + j], prec);
+            number_add(&sum, &sum, &magnitude, prec);
+            attained = low > attained ? low : -high > attained ? -high : attained;
+        }
+        number_max(norm, norm, &sum, prec);
+    }
+    number_clear(&sum);
+    number_clear(&magnitude);
+    return attained;
+}
+
+/* Beyond this an entry has grown too much: see certificate.md, section 6. */
+#define DIVERGED 0x1p64
+
+spectral_answer spectral_contraction(const number *b, const number *scale, int n, int least, int limit, long prec)
+{
+    spectral_answer answer = {TRUTH_FALSE, 0, false};
+    size_t size = (size_t)n * (size_t)n;
+    number *c = number_array_new(size), *d = number_array_new(size);
+    number norm, one;
+    number_init(&norm);
+    number_init(&one);
+    number_one(&one);
+    if (c && d) {
+        answer.contracts = TRUTH_UNKNOWN;
+        for (size_t i = 0; i < size; i++)
+            number_mul(&c[i], &b[i], scale, prec);
+        for (;; answer.power++) {
+            double attained = row_norm(&norm, c, n, prec), bound = number_upper_bound(&norm);
+            answer.diverges = attained > DIVERGED / 0x1p32;
+            if (answer.power >= least && number_less(&norm, &one) == TRUTH_TRUE)
+                answer.contracts = TRUTH_TRUE;
+            if (answer.contracts == TRUTH_TRUE || answer.power == limit || !(bound < DIVERGED))
+                break;
+            square(d, c, n, prec);
+            number *t = c;
+            c = d;
+            d = t;
+        }
+        if (number_lacks_memory(&norm))
+            answer.contracts = TRUTH_FALSE;
+    }
+    if (c)
+        number_array_free(c, size);
+    if (d)
+        number_array_free(d, size);
+    number_clear(&norm);
+    number_clear(&one);
+    return answer;
+}

@@ -1,0 +1,29 @@
+/* spectrum.h: bounds for all eigenvalues of a matrix, or for all but a known one (verify/certificate.md, section 6).
+   Compiled once per number system. */
+#ifndef LIB_SPECTRUM_H
+#define LIB_SPECTRUM_H
+
+#include "../bigfloat/number.h"
+
+#define matrix_deflate NUMBER_NAME(matrix_deflate)
+#define spectral_contraction NUMBER_NAME(spectral_contraction)
+
+/* How often a matrix may be squared. */
+#define SPECTRAL_MAX_POWER 40
+
+/* z, (n-1) x (n-1), = b without the eigenvalue of the eigenvector x, x_pivot = 1: b_ij - x_i b_pivot,j, row and
+   column `pivot` removed.  Exactly the other eigenvalues remain.  x = NULL is the vector of ones.  z is not b. */
+void matrix_deflate(number *z, const number *b, const number *x, int n, int pivot, long prec);
+
+typedef struct {
+    truth contracts; /* TRUTH_FALSE: no memory */
+    int power;
+    bool diverges;   /* a hint: some entry has certainly grown so much that more precision will hardly help */
+} spectral_answer;
+
+/* Let C = scale b, n x n, scale thin.  Squares C up to `limit` times, until the largest row sum of magnitudes is
+   below 1 (at least `least` times).  contracts = TRUTH_TRUE proves that every eigenvalue of b, for all matrices in
+   the enclosure, is smaller than 1/scale in modulus, by C^(2^power). */
+spectral_answer spectral_contraction(const number *b, const number *scale, int n, int least, int limit, long prec);
+
+#endif

@@ -1,0 +1,303 @@
+/* t-ball.c: every operation on balls contains the exact result for exact points of the operands. */
+#include "bigfloat/ball.h"
+
+#include "random.h"
+
+typedef void (*ball_op)(ball *, const ball *, const ball *, long);
+typedef bool (*rational_op)(rational *, const rational *, const rational *);
+
+static size_t limbs(void) { return random_below(8) ? 5 : 20; }
+
+/* z := op(x, y) contains the exact result; every aliasing gives the same ball. */
+static void check_binary(const char *name, ball_op op, rational_op exact, bool divides)
+{
+    ball x, y, z, t;
+    rational p, q, r;
+    ball_init(&x), ball_init(&y), ball_init(&z), ball_init(&t);
+    rational_init(&p), rational_init(&q), rational_init(&r);
+    random_ball(&x, limbs());
+    random_ball(&y, limbs());
+    if (random_below(6) == 0) {
+        ball_neg(&y, &x);
+        ball_set_round(&y, &y, 64);
+    }
+    random_point_ball(&p, &x);
+    random_point_ball(&q, &y);
+    long prec = random_precision(400);
+    op(&z, &x, &y, prec);
+    CHECK(!ball_lacks_memory(&z), "memory");
+    CHECK(!ball_is_finite(&z) || z.error >> BALL_ERROR_BITS == 0, "error too long");
+    if (divides && rational_is_zero(&q))
+        CHECK(!ball_is_finite(&z), "%s by 0 is finite", name);
+    else {
+        MUST(exact(&r, &p, &q));
+        char *tx = ball_get_hex(&x), *ty = ball_get_hex(&y), *tz = ball_get_hex(&z);
+        CHECK(ball_contains_rational(&z, &r), "%s: x = %s, y = %s, prec = %ld: z = %s", name, tx, ty, prec, tz);
+        free(tx), free(ty), free(tz);
+    }
+    ball_set(&t, &x), op(&t, &t, &y, prec);
+    CHECK(ball_identical(&t, &z), "%s(x, x, y)", name);
+    ball_set(&t, &y), op(&t, &x, &t, prec);
+    CHECK(ball_identical(&t, &z), "%s(y, x, y)", name);
+    op(&z, &x, &x, prec);
+    ball_set(&t, &x), op(&t, &t, &t, prec);
+    CHECK(ball_identical(&t, &z), "%s(x, x, x)", name);
+    ball_set(&y, &x), op(&t, &x, &y, prec);
+    CHECK(ball_identical(&t, &z), "%s(z, x, copy of x)", name);
+    ball_clear(&x), ball_clear(&y), ball_clear(&z), ball_clear(&t);
+    rational_clear(&p), rational_clear(&q), rational_clear(&r);
+}
+
+#define BINARY(op, divides)                                             \
+    static void test_##op(void)                                         \
+    {                                                                   \
+        test_begin("ball-" #op);                                        \
+        for (test_cases(8000); test_next();)                            \
+            check_binary(#op, ball_##op, rational_##op, divides);       \
+        test_end();                                                     \
+    }
+BINARY(add, false)
+BINARY(sub, false)
+BINARY(mul, false)
+BINARY(div, true)
+
+static bool rational_min(rational *z, const rational *x, const rational *y)
+{
+    return rational_set(z, rational_cmp(x, y) < 0 ? x : y);
+}
+static bool rational_max(rational *z, const rational *x, const rational *y)
+{
+    return rational_set(z, rational_cmp(x, y) < 0 ? y : x);
+}
+static bool either(rational *z, const rational *x, const rational *y)
+{
+    return rational_set(z, random_bool() ? x : y);
+}
+static bool plus_or_minus(rational *z, const rational *x, const rational *y)
+{
+    return random_bool() ? rational_add(z, x, y) : rational_sub(z, x, y);
+}
+#define rational_hull either
+#define rational_add_error plus_or_minus
+BINARY(min, false)
+BINARY(max, false)
+BINARY(hull, false)
+BINARY(add_error, false)
+
+static void test_addmul(void)
+{
+    test_begin("ball-addmul");
+    for (test_cases(4000); test_next();) {
+        ball x, y, z, w, t;
+        rational p, q, r, s;
+        ball_init(&x), ball_init(&y), ball_init(&z), ball_init(&w), ball_init(&t);
+        rational_init(&p), rational_init(&q), rational_init(&r), rational_init(&s);
+        random_ball(&x, limbs()), random_ball(&y, limbs()), random_ball(&w, limbs());
+        random_point_ball(&p, &x), random_point_ball(&q, &y), random_point_ball(&r, &w);
+        long prec = random_precision(400);
+        MUST(rational_mul(&p, &p, &q));
+        MUST(rational_add(&s, &r, &p));
+        ball_fma(&z, &x, &y, &w, prec);
+        CHECK(ball_contains_rational(&z, &s), "fma");
+        ball_set(&t, &w), ball_addmul(&t, &x, &y, prec);
+        CHECK(ball_contains_rational(&t, &s), "addmul");
+        ball_set(&t, &w), ball_fma(&t, &x, &y, &t, prec);
+        CHECK(ball_identical(&t, &z), "fma(w, x, y, w)");
+        ball_set(&t, &x), ball_fma(&t, &t, &y, &w, prec);
+        CHECK(ball_identical(&t, &z), "fma(x, x, y, w)");
+        MUST(rational_sub(&s, &r, &p));
+        ball_set(&t, &w), ball_submul(&t, &x, &y, prec);
+        CHECK(ball_contains_rational(&t, &s), "submul");
+        ball_set(&t, &x), ball_addmul(&t, &t, &t, prec);
+        ball_clear(&x), ball_clear(&y), ball_clear(&z), ball_clear(&w), ball_clear(&t);
+        rational_clear(&p), rational_clear(&q), rational_clear(&r), rational_clear(&s);
+    }
+    test_end();
+}
+
+/* sqrt: z contains the root iff z^2 allows the radicand: compare squares. */
+static void test_sqrt(void)
+{
+    test_begin("ball-sqrt");
+    for (test_cases(4000); test_next();) {
+        ball x, z, t;
+        rational p, q, r;
+        ball_init(&x), ball_init(&z), ball_init(&t);
+        rational_init(&p), rational_init(&q), rational_init(&r);
+        random_ball(&t, limbs());
+        random_point_ball(&p, &t);
+        MUST(rational_abs(&p, &p));
+        ball_sqr(&x, &t, random_precision(600)); /* contains p^2 */
+        long prec = random_precision(400);
+        ball_sqrt(&z, &x, prec);
+        CHECK(ball_contains_rational(&z, &p), "root of a square");
+        ball_set(&t, &x), ball_sqrt(&t, &t, prec);
+        CHECK(ball_identical(&t, &z), "sqrt(x, x)");
+        ball_set_si(&x, 49, prec), ball_mul_2exp(&x, &x, random_range(-20, 20) * 2, prec), ball_sqrt(&z, &x, prec);
+        CHECK(ball_is_thin(&z), "exact root");
+        ball_set_si(&x, -1, prec), ball_sqrt(&z, &x, prec);
+        CHECK(!ball_is_finite(&z), "root of -1");
+        ball_clear(&x), ball_clear(&z), ball_clear(&t);
+        rational_clear(&p), rational_clear(&q), rational_clear(&r);
+    }
+    test_end();
+}
+
+static void test_unary(void)
+{
+    test_begin("ball-unary");
+    for (test_cases(5000); test_next();) {
+        ball x, z;
+        rational p, q;
+        ball_init(&x), ball_init(&z);
+        rational_init(&p), rational_init(&q);
+        random_ball(&x, limbs());
+        random_point_ball(&p, &x);
+        long prec = random_precision(400), e = random_range(-300, 300), v = (long)random_corner();
+        ball_neg(&z, &x), MUST(rational_neg(&q, &p));
+        CHECK(ball_contains_rational(&z, &q), "neg");
+        ball_abs(&z, &x), MUST(rational_abs(&q, &p));
+        CHECK(ball_contains_rational(&z, &q) && ball_is_negative(&z) == TRUTH_FALSE, "abs");
+        ball_sqr(&z, &x, prec), MUST(rational_mul(&q, &p, &p));
+        CHECK(ball_contains_rational(&z, &q), "sqr");
+        ball_mul_2exp(&z, &x, e, prec), MUST(rational_mul_2exp(&q, &p, e));
+        CHECK(ball_contains_rational(&z, &q), "mul_2exp");
+        ball_mul_si(&z, &x, v, prec), MUST(rational_set_si(&q, v, 1)), MUST(rational_mul(&q, &q, &p));
+        CHECK(ball_contains_rational(&z, &q), "mul_si");
+        ball_div_si(&z, &x, v, prec);
+        if (v != 0) {
+            MUST(rational_set_si(&q, v, 1)), MUST(rational_div(&q, &p, &q));
+            CHECK(ball_contains_rational(&z, &q), "div_si");
+        } else
+            CHECK(!ball_is_finite(&z), "div by 0");
+        ball_inv(&z, &x, prec);
+        if (!rational_is_zero(&p)) {
+            MUST(rational_inv(&q, &p));
+            CHECK(ball_contains_rational(&z, &q), "inv");
+        }
+        ball_set_round(&z, &x, prec);
+        CHECK(ball_contains(&z, &x), "set_round");
+        long n = random_range(-4, 6);
+        ball_pow_si(&z, &x, n, prec);
+        if (!rational_is_zero(&p) || n >= 0) {
+            MUST(rational_pow(&q, &p, n));
+            CHECK(ball_contains_rational(&z, &q), "pow_si %ld", n);
+        }
+        ball_set_rational(&z, &p, prec);
+        CHECK(ball_contains_rational(&z, &p), "set_rational");
+        ball_clear(&x), ball_clear(&z);
+        rational_clear(&p), rational_clear(&q);
+    }
+    test_end();
+}
+
+static void test_sets(void)
+{
+    test_begin("ball-sets");
+    for (test_cases(5000); test_next();) {
+        ball x, z, m, r, t;
+        rational p, q;
+        ball_init(&x), ball_init(&z), ball_init(&m), ball_init(&r), ball_init(&t);
+        rational_init(&p), rational_init(&q);
+        random_ball(&x, limbs());
+        random_point_ball(&p, &x);
+        ball_set_rational(&t, &p, 1000);
+        long prec = random_precision(400);
+        ball_lower(&z, &x, prec);
+        CHECK(ball_is_thin(&z) && ball_less(&t, &z) != TRUTH_TRUE, "lower");
+        ball_lower(&z, &x, 5000);
+        CHECK(ball_contains(&x, &z), "lower, exact");
+        ball_upper(&z, &x, prec);
+        CHECK(ball_is_thin(&z) && ball_less(&z, &t) != TRUTH_TRUE, "upper");
+        ball_upper(&z, &x, 5000);
+        CHECK(ball_contains(&x, &z), "upper, exact");
+        ball_midpoint(&m, &x, prec), ball_radius_upper(&r, &x, prec);
+        CHECK(ball_is_thin(&m) && ball_is_thin(&r), "thin");
+        ball_sub(&z, &t, &m, 6000), ball_abs(&z, &z);
+        CHECK(ball_less(&r, &z) != TRUTH_TRUE, "radius");
+        ball_magnitude_upper(&z, &x, prec), ball_abs(&t, &t);
+        CHECK(ball_is_thin(&z) && ball_less(&z, &t) != TRUTH_TRUE, "magnitude");
+        double a = ball_lower_bound(&x), b = ball_upper_bound(&x);
+        interval ends;
+        interval_set_doubles(&ends, a, b);
+        CHECK(interval_contains_rational(&ends, &p), "double bounds");
+        /* the bounds are the least: the next doubles inside are not bounds, if x is not thin they are tight */
+        integer lo, hi;
+        integer_init(&lo), integer_init(&hi);
+        long g = random_range(-300, 300);
+        MUST(ball_lower_grid(&lo, &x, g)), MUST(ball_upper_grid(&hi, &x, g));
+        MUST(rational_set_integer_2exp(&q, &lo, -g));
+        CHECK(rational_cmp(&q, &p) <= 0, "lower_grid");
+        MUST(rational_set_integer_2exp(&q, &hi, -g));
+        CHECK(rational_cmp(&q, &p) >= 0, "upper_grid");
+        integer_clear(&lo), integer_clear(&hi);
+        ball_clear(&x), ball_clear(&z), ball_clear(&m), ball_clear(&r), ball_clear(&t);
+        rational_clear(&p), rational_clear(&q);
+    }
+    test_end();
+}
+
+/* The questions, against endpoints as rationals. */
+static void endpoints(rational *a, rational *b, const ball *x)
+{
+    ball t;
+    ball_init(&t);
+    integer m;
+    int64_t e;
+    integer_init(&m);
+    ball_lower(&t, x, 20000), MUST(ball_get_parts(&m, NULL, &e, &t)), MUST(rational_set_integer_2exp(a, &m, (long)e));
+    ball_upper(&t, x, 20000), MUST(ball_get_parts(&m, NULL, &e, &t)), MUST(rational_set_integer_2exp(b, &m, (long)e));
+    integer_clear(&m);
+    ball_clear(&t);
+}
+
+static void test_questions(void)
+{
+    test_begin("ball-questions");
+    for (test_cases(8000); test_next();) {
+        ball x, y;
+        rational a, b, c, d;
+        ball_init(&x), ball_init(&y);
+        rational_init(&a), rational_init(&b), rational_init(&c), rational_init(&d);
+        random_ball(&x, 3), random_ball(&y, 3);
+        if (random_bool()) {
+            ball_set(&y, &x);
+            y.error = random_bool() ? x.error / 2 : random_below(1000);
+            if (random_bool())
+                y.exponent += random_range(-1, 1);
+        }
+        if (y.size == 0 && y.error == 0)
+            y.exponent = 0;
+        endpoints(&a, &b, &x), endpoints(&c, &d, &y);
+        CHECK(ball_less(&x, &y) == (rational_cmp(&b, &c) < 0 ? TRUTH_TRUE : rational_cmp(&a, &d) >= 0 ? TRUTH_FALSE : TRUTH_UNKNOWN), "less");
+        CHECK(ball_contains(&x, &y) == (rational_cmp(&a, &c) <= 0 && rational_cmp(&d, &b) <= 0), "contains");
+        CHECK(ball_contains_interior(&x, &y) == (rational_cmp(&a, &c) < 0 && rational_cmp(&d, &b) < 0), "interior");
+        CHECK(ball_overlaps(&x, &y) == (rational_cmp(&a, &d) <= 0 && rational_cmp(&c, &b) <= 0), "overlaps");
+        int s = rational_sign(&a), t = rational_sign(&b);
+        CHECK(ball_is_positive(&x) == (s > 0 ? TRUTH_TRUE : t <= 0 ? TRUTH_FALSE : TRUTH_UNKNOWN), "positive");
+        CHECK(ball_is_negative(&x) == (t < 0 ? TRUTH_TRUE : s >= 0 ? TRUTH_FALSE : TRUTH_UNKNOWN), "negative");
+        CHECK(ball_contains_zero(&x) == (s <= 0 && t >= 0), "contains_zero");
+        CHECK(ball_is_zero(&x) == (s == 0 && t == 0 ? TRUTH_TRUE : s > 0 || t < 0 ? TRUTH_FALSE : TRUTH_UNKNOWN), "zero");
+        ball_clear(&x), ball_clear(&y);
+        rational_clear(&a), rational_clear(&b), rational_clear(&c), rational_clear(&d);
+    }
+    test_end();
+}
+
+int main(void)
+{
+    test_add();
+    test_sub();
+    test_mul();
+    test_div();
+    test_min();
+    test_max();
+    test_hull();
+    test_add_error();
+    test_addmul();
+    test_sqrt();
+    test_unary();
+    test_sets();
+    test_questions();
+    return test_status();
+}

@@ -1,0 +1,186 @@
+/* adaptive.c: depth first, one set of windows per level. */
+#include "adaptive.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The windows of one element: for each net the x and y values. */
+typedef struct {
+    number *x[ADAPTIVE_MAX_NETS], *y[ADAPTIVE_MAX_NETS];
+} windows;
+
+typedef struct {
+    const adaptive_task *task;
+    adaptive_report *report;
+    tree_word *word;
+    long prec;
+    windows level[TREE_MAX_DEPTH + 1]; /* level 0 borrowed, the others made when first needed */
+    adaptive_box box[ADAPTIVE_MAX_NETS];
+} run;
+
+static bool make_level(run *r, int level)
+{
+    for (int i = 0; i < r->task->nets; i++) {
+        size_t size = (size_t)r->task->windows[i]->stride;
+        if (!r->level[level].x[i])
+            r->level[level].x[i] = number_array_new(size);
+        if (!r->level[level].y[i])
+            r->level[level].y[i] = number_array_new(size);
+        if (!r->level[level].x[i] || !r->level[level].y[i])
+            return false;
+    }
+    return true;
+}
+
+static void free_levels(run *r)
+{
+    for (int level = 1; level <= TREE_MAX_DEPTH; level++)
+        for (int i = 0; i < r->task->nets; i++) {
+            size_t size = (size_t)r->task->windows[i]->stride;
+            if (r->level[level].x[i])
+                number_array_free(r->level[level].x[i], size);
+            if (r->level[level].y[i])
+                number_array_free(r->level[level].y[i], size);
+        }
+}
+
+/* box = the hull of the values, widened by the radius. */
+static void hull(number *box, const number *value, int count, const number *radius, long prec)
+{
+    number_set(box, &value[0]);
+    for (int i = 1; i < count; i++)
+        number_hull(box, box, &value[i], prec);
+    number_add_error(box, box, radius, prec);
+}
+
+static truth decide(run *r, element_type type, int level, double *margin)
+{
+    const adaptive_task *task = r->task;
+    for (int i = 0; i < task->nets; i++) {
+        const charnet_windows *w = task->windows[i];
+        hull(&r->box[i].x, r->level[level].x[i], w->window[type], &w->radius[0], r->prec);
+        hull(&r->box[i].y, r->level[level].y[i], w->window[type], &w->radius[1], r->prec);
+    }
+    return task->decide(margin, r->box, task->data, r->prec);
+}
+
+static void refine(number *child, const number *parent, const element_refinement *refinement, const mask_numbers *mask, long prec)
+{
+    for (int i = 0; i < refinement->count; i++) {
+        number_zero(&child[i]);
+        for (int e = refinement->row[i]; e < refinement->row[i + 1]; e++)
+            number_addmul(&child[i], mask_numbers_at(mask, refinement->term[e].a, refinement->term[e].b), &parent[refinement->source[e]], prec);
+    }
+}
+
+static outcome examine(run *r, element_type type, int level);
+
+static outcome split(run *r, element_type type, int level)
+{
+    const adaptive_task *task = r->task;
+    if (!make_level(r, level + 1))
+        return OUTCOME_NO_MEMORY;
+    for (int c = 0; c < element_children(type); c++) {
+        outcome o;
+        for (int i = 0; i < task->nets; i++) {
+            const element_refinement *refinement = &task->geometry->stencil[task->which[i]].child[type][c];
+            refine(r->level[level + 1].x[i], r->level[level].x[i], refinement, task->mask[i], r->prec);
+            refine(r->level[level + 1].y[i], r->level[level].y[i], refinement, task->mask[i], r->prec);
+        }
+        o = examine(r, element_get_child(type, c).type, level + 1);
+        if (o != OUTCOME_TRUE)
+            return o;
+    }
+    return OUTCOME_TRUE;
+}
+
+/* A box that lacks memory decides nothing: then the whole run says so. */
+static bool lacks_memory(const run *r)
+{
+    for (int i = 0; i < r->task->nets; i++)
+        if (number_lacks_memory(&r->box[i].x) || number_lacks_memory(&r->box[i].y))
+            return true;
+    return false;
+}
+
+static outcome leaf(run *r, double margin)
+{
+    r->report->margin = fmin(r->report->margin, margin);
+    return OUTCOME_TRUE;
+}
+
+static outcome follow(run *r, element_type type, int level)
+{
+    double margin = -INFINITY;
+    switch (tree_get(r->word)) {
+    case '0':
+        if (decide(r, type, level, &margin) == TRUTH_TRUE)
+            return leaf(r, margin);
+        return lacks_memory(r) ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
+    case '1':
+        return level < TREE_MAX_DEPTH ? split(r, type, level) : OUTCOME_FALSE;
+    default:
+        return OUTCOME_FALSE;
+    }
+}
+
+static outcome search(run *r, element_type type, int level)
+{
+    double margin = -INFINITY;
+    truth t = decide(r, type, level, &margin);
+    if (t == TRUTH_UNKNOWN && lacks_memory(r))
+        return OUTCOME_NO_MEMORY;
+    if (t == TRUTH_FALSE)
+        return OUTCOME_FALSE;
+    if (r->word->length >= TREE_MAX_LETTERS / 2)
+        return OUTCOME_UNDEFINED;
+    if (!tree_put(r->word, t == TRUTH_TRUE ? '0' : '1'))
+        return OUTCOME_NO_MEMORY;
+    if (t == TRUTH_TRUE)
+        return leaf(r, margin);
+    return level < r->task->max_level ? split(r, type, level) : OUTCOME_UNDEFINED;
+}
+
+static outcome examine(run *r, element_type type, int level)
+{
+    r->report->examined++;
+    r->report->level = level > r->report->level ? level : r->report->level;
+    return r->task->replay ? follow(r, type, level) : search(r, type, level);
+}
+
+outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)
+{
+    outcome o = OUTCOME_TRUE;
+    run *r = calloc(1, sizeof *r);
+    *report = (adaptive_report){0, 0, INFINITY};
+    if (!r)
+        return OUTCOME_NO_MEMORY;
+    r->task = task;
+    r->report = report;
+    r->word = word;
+    r->prec = prec;
+    word->at = 0;
+    if (!task->replay)
+        tree_reset(word);
+    for (int i = 0; i < task->nets; i++) {
+        number_init(&r->box[i].x);
+        number_init(&r->box[i].y);
+    }
+    for (int e = 0; o == OUTCOME_TRUE && e < task->count; e++) {
+        for (int i = 0; i < task->nets; i++) {
+            r->level[0].x[i] = task->windows[i]->x + e * task->windows[i]->stride;
+            r->level[0].y[i] = task->windows[i]->y + e * task->windows[i]->stride;
+        }
+        o = examine(r, task->elements[e].type, 0);
+    }
+    if (o == OUTCOME_TRUE && task->replay && !tree_at_end(word))
+        o = OUTCOME_FALSE;
+    for (int i = 0; i < task->nets; i++) {
+        number_clear(&r->box[i].x);
+        number_clear(&r->box[i].y);
+    }
+    free_levels(r);
+    free(r);
+    return o;
+}

@@ -1,0 +1,52 @@
+/* adaptive.h: local enclosures of a limit map, refined only where a decision is still missing (verify/certificate.md,
+   sections 7 and 8).  Compiled once per number system.
+
+   On an element every limit value is a convex combination of the thin values in the element's window, up to the
+   nets' radius: so the hull of those values, widened by the radius, is a box that contains it.  If the boxes of
+   an element do not decide, its children's windows are computed and tried. */
+#ifndef VERIFY_ADAPTIVE_H
+#define VERIFY_ADAPTIVE_H
+
+#include "../lib/charnet.h"
+#include "outcome.h"
+#include "tree.h"
+
+#define adaptive_run NUMBER_NAME(adaptive_run)
+
+/* The box of one net on one element. */
+typedef struct {
+    number x, y;
+} adaptive_box;
+
+/* Decides an element from the boxes of its nets.  TRUTH_TRUE: the property wanted holds on it.  TRUTH_FALSE: its
+   opposite holds on it.  *margin, a lower bound of the quantity that must be positive, may be -infinity. */
+typedef truth (*adaptive_decision)(double *margin, const adaptive_box *box, const void *data, long prec);
+
+enum { ADAPTIVE_MAX_NETS = 2 };
+
+typedef struct {
+    const ring *geometry;
+    const element *elements;
+    int count;
+    int nets;                                /* 1 or 2 */
+    int which[ADAPTIVE_MAX_NETS];            /* RING_VALUES, ... */
+    const charnet_windows *windows[ADAPTIVE_MAX_NETS];
+    const mask_numbers *mask[ADAPTIVE_MAX_NETS];
+    adaptive_decision decide;
+    const void *data;
+    bool replay;      /* follow the word instead of writing it */
+    int max_level;    /* of subdivision */
+} adaptive_task;
+
+/* What a run looked like. */
+typedef struct {
+    long examined; /* elements whose boxes were tried, or that were split as the word said */
+    int level;     /* the deepest */
+    double margin; /* the smallest over the leaves */
+} adaptive_report;
+
+/* OUTCOME_TRUE: the property is proved on all elements, by the trees in `word` (written, or followed to its end).
+   OUTCOME_FALSE: the opposite holds on some element; in a replay also: the word does not prove it. */
+outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec);
+
+#endif

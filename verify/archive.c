@@ -1,0 +1,155 @@
+/* archive.c: write, fsync, rename, fsync of the directory. */
+#define _POSIX_C_SOURCE 200809L
+#include "archive.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define SCHEME_FILE "scheme.scheme"
+#define MAX_SCHEME_BYTES 65536
+
+void archive_init(archive *z)
+{
+    z->path = NULL;
+}
+
+void archive_clear(archive *z)
+{
+    free(z->path);
+    z->path = NULL;
+}
+
+static char *path_of(const archive *z, const char *name)
+{
+    size_t length = strlen(z->path) + strlen(name) + 2;
+    char *p = malloc(length);
+    if (p)
+        snprintf(p, length, "%s/%s", z->path, name);
+    else
+        errno = ENOMEM;
+    return p;
+}
+
+static bool write_all(int fd, const char *bytes, size_t length)
+{
+    while (length) {
+        ssize_t n = write(fd, bytes, length);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return false;
+        bytes += n;
+        length -= (size_t)n;
+    }
+    return true;
+}
+
+static bool sync_directory(const char *path)
+{
+    int fd = open(path, O_RDONLY | O_DIRECTORY);
+    bool ok = fd >= 0 && fsync(fd) == 0;
+    if (fd >= 0 && close(fd) != 0)
+        ok = false;
+    return ok;
+}
+
+/* Makes `name` hold the bytes, or leaves it as it was. */
+static bool store(const archive *z, const char *name, const char *bytes, size_t length)
+{
+    char unfinished[64];
+    char *path = path_of(z, name), *temporary;
+    bool ok = false;
+    int fd, saved;
+    snprintf(unfinished, sizeof unfinished, "unfinished-%ld.tmp", (long)getpid());
+    temporary = path_of(z, unfinished);
+    if (path && temporary && (fd = open(temporary, O_WRONLY | O_CREAT | O_TRUNC, 0666)) >= 0) {
+        ok = write_all(fd, bytes, length) && fsync(fd) == 0;
+        saved = errno;
+        if (close(fd) != 0)
+            ok = false;
+        else
+            errno = saved;
+        ok = ok && rename(temporary, path) == 0 && sync_directory(z->path);
+        if (!ok) {
+            saved = errno;
+            unlink(temporary);
+            errno = saved;
+        }
+    }
+    free(path);
+    free(temporary);
+    return ok;
+}
+
+archive_status archive_open(archive *z, const char *path, const scheme *s)
+{
+    buffer present;
+    char *file;
+    archive_status result = ARCHIVE_IO_ERROR;
+    if (mkdir(path, 0777) != 0 && errno != EEXIST)
+        return ARCHIVE_IO_ERROR;
+    z->path = malloc(strlen(path) + 1);
+    if (!z->path)
+        return ARCHIVE_IO_ERROR;
+    strcpy(z->path, path);
+    file = path_of(z, SCHEME_FILE);
+    if (!file)
+        return ARCHIVE_IO_ERROR;
+    buffer_init(&present);
+    if (buffer_read_file(&present, file, MAX_SCHEME_BYTES)) {
+        bool same = present.length == s->source.length && !memcmp(present.bytes ? present.bytes : "", s->source.canonical, present.length);
+        result = same ? ARCHIVE_OK : ARCHIVE_OTHER_SCHEME;
+    } else if (errno == ENOENT) {
+        result = store(z, SCHEME_FILE, s->source.canonical, s->source.length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+    }
+    buffer_clear(&present);
+    free(file);
+    return result;
+}
+
+/* Numbers that JSON does not have become null. */
+static void print_number(buffer *b, const char *name, double value)
+{
+    if (isfinite(value))
+        buffer_print(b, ",\"%s\":%.17g", name, value);
+    else
+        buffer_print(b, ",\"%s\":null", name);
+}
+
+static void write_log(buffer *b, const decision *d)
+{
+    for (int i = 0; i < d->attempt_count; i++) {
+        const attempt *a = &d->attempts[i];
+        buffer_print(b, "{\"valence\":%ld,\"system\":\"%s\",\"precision\":%ld,\"max_level\":%d,\"outcome\":\"%s\",\"test\":\"%s\",\"level\":%d,\"elements\":%ld",
+                     d->valence, a->system, a->precision, a->max_level, outcome_name(a->outcome), a->test, a->level, a->elements);
+        print_number(b, "jacobian", a->jacobian);
+        buffer_print(b, ",\"reason\":\"%s\"}\n", a->reason); /* our own sentences: nothing to escape */
+    }
+}
+
+archive_status archive_keep(archive *z, char **certificate, const decision *d)
+{
+    char name[64];
+    buffer text;
+    bool ok;
+    *certificate = NULL;
+    if (!z->path)
+        return ARCHIVE_OK;
+    buffer_init(&text);
+    write_log(&text, d);
+    snprintf(name, sizeof name, "valence-%ld.log", d->valence);
+    ok = !text.failed && store(z, name, text.bytes, text.length);
+    buffer_clear(&text);
+    snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
+    if (ok && d->verdict == VERDICT_PROVED) {
+        *certificate = path_of(z, name);
+        ok = *certificate && store(z, name, d->certificate.bytes, d->certificate.length);
+    }
+    return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+}

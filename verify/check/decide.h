@@ -1,0 +1,16 @@
+#ifndef CHECK_DECIDE_H
+#define CHECK_DECIDE_H
+
+/* The decisions: section 8 of certificate.md. */
+
+#include "characteristic.h"
+
+/* The Jacobian is positive on the closed ring; else rejects. */
+void decide_regularity(const struct characteristic *c,
+                       const struct certificate *certificate);
+
+/* The outer curve of one sector lies in the open half-plane; else rejects. */
+void decide_boundary(const struct characteristic *c,
+                     const struct certificate *certificate);
+
+#endif

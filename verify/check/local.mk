@@ -1,0 +1,27 @@
+# verify/check: the independent checker. It shares no file with the rest and sees none (no -I, no
+# config.h), and this compiles it, too:  cc -O2 -o smoothcert-check verify/check/*.c
+
+CHECK_SOURCES = \
+  verify/check/answer.h verify/check/answer.c \
+  verify/check/integer.h verify/check/integer.c \
+  verify/check/rational.h verify/check/rational.c \
+  verify/check/grid.h verify/check/grid.c \
+  verify/check/trig.h verify/check/trig.c \
+  verify/check/mask.h verify/check/mask.c \
+  verify/check/regular.h verify/check/regular.c \
+  verify/check/text.h verify/check/text.c \
+  verify/check/formula.h verify/check/formula.c \
+  verify/check/scheme.h verify/check/scheme.c \
+  verify/check/sector.h verify/check/sector.c \
+  verify/check/sha256.h verify/check/sha256.c \
+  verify/check/certificate.h verify/check/certificate.c \
+  verify/check/spectrum.h verify/check/spectrum.c \
+  verify/check/window.h verify/check/window.c \
+  verify/check/characteristic.h verify/check/characteristic.c \
+  verify/check/decide.h verify/check/decide.c \
+  verify/check/main.c
+
+bin_PROGRAMS += smoothcert-check
+smoothcert_check_SOURCES = $(CHECK_SOURCES)
+smoothcert_check_CPPFLAGS =
+smoothcert_check_LDADD =

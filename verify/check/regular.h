@@ -1,0 +1,20 @@
+#ifndef CHECK_REGULAR_H
+#define CHECK_REGULAR_H
+
+/* C1 on the regular complex: section 4 of certificate.md. */
+
+#include "mask.h"
+
+/* The masks that the section derives from the scheme's mask. */
+struct derived_masks {
+    struct mask first[2];                          /* a_1, a_2 */
+    struct mask second[3];                         /* a_12, a_13, a_23 */
+};
+
+/* False if a division leaves a remainder. */
+bool regular_derive(struct derived_masks *out, const struct mask *mask);
+
+/* Whether the norm of s^N, s = 2 second, is < 1. */
+bool regular_contracts(const struct mask *second, int n);
+
+#endif

@@ -1,0 +1,251 @@
+/* command_prove.c: the main command: a scheme, valences, one line and one certificate for each. */
+#define _GNU_SOURCE /* getopt_long */
+#include "command.h"
+
+#include "archive.h"
+#include "escalate.h"
+#include "valences.h"
+
+#include "../bigfloat/interval.h"
+#include "../lib/catalogue.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char help[] =
+    "Usage: smoothcert prove SCHEME --valence LIST [OPTION]...\n"
+    "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
+    "\n"
+    "  --valence LIST        valences, such as 7 or 3..20,50\n"
+    "  --precision BITS      only balls of this precision (64 to 8192); default: hardware\n"
+    "                        intervals, then balls of 64, 128, 256 ... bits\n"
+    "  --max-precision BITS  the highest precision to try (default 4096)\n"
+    "  --max-level N         the deepest subdivision to try (default: grows with the precision)\n"
+    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME)\n"
+    "  --help                this text\n";
+
+typedef struct {
+    const char *scheme_argument;
+    const char *list;
+    const char *out;
+    limits limits;
+} options;
+
+typedef struct {
+    options options;
+    scheme scheme;
+    problem problem;
+    valences valences;
+    archive archive;
+} prove_run;
+
+/* ---- arguments ---- */
+
+static bool read_number(long *value, const char *text, long low, long high)
+{
+    char *end;
+    errno = 0;
+    *value = strtol(text, &end, 10);
+    return errno == 0 && end != text && *end == '\0' && *value >= low && *value <= high;
+}
+
+/* -1: go on; else the exit status. */
+static int read_options(options *o, int argc, char **argv)
+{
+    enum { OPTION_VALENCE = 256, OPTION_PRECISION, OPTION_MAX_PRECISION, OPTION_MAX_LEVEL, OPTION_OUT, OPTION_HELP };
+    static const struct option known[] = {
+        {"valence", required_argument, NULL, OPTION_VALENCE},
+        {"precision", required_argument, NULL, OPTION_PRECISION},
+        {"max-precision", required_argument, NULL, OPTION_MAX_PRECISION},
+        {"max-level", required_argument, NULL, OPTION_MAX_LEVEL},
+        {"out", required_argument, NULL, OPTION_OUT},
+        {"help", no_argument, NULL, OPTION_HELP},
+        {NULL, 0, NULL, 0},
+    };
+    long level = 0;
+    int option;
+    *o = (options){NULL, NULL, NULL, {0, 4096, 0, false}};
+    opterr = 0;
+    while ((option = getopt_long(argc, argv, "", known, NULL)) != -1) {
+        switch (option) {
+        case OPTION_VALENCE:
+            o->list = optarg;
+            break;
+        case OPTION_PRECISION:
+            if (!read_number(&o->limits.precision, optarg, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
+                return complain(EXIT_USAGE, "--precision: expected a number of bits from %d to %d, found '%s'", LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION, optarg);
+            break;
+        case OPTION_MAX_PRECISION:
+            if (!read_number(&o->limits.max_precision, optarg, 0, LIMITS_MAX_PRECISION))
+                return complain(EXIT_USAGE, "--max-precision: expected a number of bits from 0 to %d, found '%s'", LIMITS_MAX_PRECISION, optarg);
+            break;
+        case OPTION_MAX_LEVEL:
+            if (!read_number(&level, optarg, 1, TREE_MAX_DEPTH))
+                return complain(EXIT_USAGE, "--max-level: expected a number from 1 to %d, found '%s'", TREE_MAX_DEPTH, optarg);
+            o->limits.max_level = (int)level;
+            break;
+        case OPTION_OUT:
+            o->out = optarg;
+            break;
+        case OPTION_HELP:
+            fputs(help, stdout);
+            return finish_output(0);
+        default:
+            return complain(EXIT_USAGE, "prove: unknown option or missing value at '%s'; see 'smoothcert prove --help'", argv[optind - 1]);
+        }
+    }
+    if (optind != argc - 1)
+        return complain(EXIT_USAGE, optind >= argc ? "prove: no scheme given; see 'smoothcert prove --help'" : "prove: more than one scheme given (options are written with two dashes)");
+    o->scheme_argument = argv[optind];
+    if (!o->list)
+        return complain(EXIT_USAGE, "prove: no valences given, such as --valence 3..20");
+    return -1;
+}
+
+/* ---- the scheme ---- */
+
+static const char *find_in_catalogue(const char *name)
+{
+    for (const struct catalogue_entry *e = catalogue; e->name; e++)
+        if (!strcmp(e->name, name))
+            return e->text;
+    return NULL;
+}
+
+/* A name of the catalogue, unless it contains a '/' or a '.'; else a file. */
+static int load_scheme(scheme *s, const char *argument)
+{
+    const char *text = find_in_catalogue(argument);
+    diagnostic d;
+    status result;
+    buffer file;
+    buffer_init(&file);
+    if (!text && !buffer_read_file(&file, argument, 1 << 20)) {
+        int error = errno;
+        buffer_clear(&file);
+        if (error == ENOENT && !strpbrk(argument, "/."))
+            return complain(EXIT_BAD_INPUT, "there is no scheme '%s': neither in the catalogue ('smoothcert schemes' lists it) nor as a file", argument);
+        return complain(error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", argument, strerror(error));
+    }
+    result = text ? scheme_read(s, text, strlen(text), &d) : scheme_read(s, file.bytes ? file.bytes : "", file.length, &d);
+    buffer_clear(&file);
+    if (result == STATUS_NO_MEMORY)
+        return complain(EXIT_NO_MEMORY, "no memory");
+    if (result == STATUS_BAD_INPUT && d.line > 0)
+        fprintf(stderr, "smoothcert: %s:%ld:%ld: %s\n", argument, d.line, d.column, d.text);
+    else if (result == STATUS_BAD_INPUT)
+        complain(EXIT_BAD_INPUT, "%s: %s", argument, d.text);
+    return result == STATUS_OK ? -1 : EXIT_BAD_INPUT;
+}
+
+static int open_archive(prove_run *r)
+{
+    char name[SCHEME_NAME_MAX + 32];
+    const char *path = r->options.out;
+    if (path && !strcmp(path, "none"))
+        return -1;
+    snprintf(name, sizeof name, "smoothcert-%s", r->scheme.name);
+    if (!path)
+        path = name;
+    switch (archive_open(&r->archive, path, &r->scheme)) {
+    case ARCHIVE_OK:
+        return -1;
+    case ARCHIVE_OTHER_SCHEME:
+        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
+    default:
+        return complain(EXIT_IO, "%s: %s", path, strerror(errno));
+    }
+}
+
+/* ---- the answers ---- */
+
+static void print_decision(const prove_run *r, const decision *d, const char *certificate)
+{
+    const findings *f = &d->findings;
+    if (d->verdict == VERDICT_PROVED) {
+        printf("proved: %s is C1 at valence %ld; L = %s, others < %.6f (block %ld), Jacobian > %.3g, level %d, %ld elements, ", r->scheme.name, d->valence,
+               f->eigenvalue, f->runner_up, f->runner_up_block, f->jacobian, f->level, f->elements);
+    } else {
+        printf("undecided: %s at valence %ld; %s: %s; last tried with ", r->scheme.name, d->valence, f->test, f->reason);
+    }
+    if (!d->system)
+        printf("exact arithmetic");
+    else if (!strcmp(d->system, "interval"))
+        printf("double intervals");
+    else
+        printf("balls of %ld bits", d->precision);
+    if (certificate)
+        printf("; %s", certificate);
+    printf("\n");
+}
+
+static int decide_all(prove_run *r)
+{
+    int result = EXIT_PROVED;
+    for (size_t i = 0; i < r->valences.count; i++) {
+        decision d;
+        char *certificate = NULL;
+        archive_status kept;
+        decision_init(&d);
+        decide_valence(&d, &r->problem, r->valences.valence[i], &r->options.limits);
+        if (d.verdict != VERDICT_PROVED && d.no_memory) {
+            decision_clear(&d);
+            return complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", r->valences.valence[i]);
+        }
+        kept = archive_keep(&r->archive, &certificate, &d);
+        if (kept != ARCHIVE_OK) {
+            complain(EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d.valence, strerror(errno));
+            free(certificate);
+            decision_clear(&d);
+            return EXIT_IO;
+        }
+        print_decision(r, &d, certificate);
+        if (d.verdict != VERDICT_PROVED)
+            result = EXIT_UNDECIDED;
+        free(certificate);
+        decision_clear(&d);
+        if (fflush(stdout) != 0)
+            return finish_output(EXIT_IO);
+    }
+    return result;
+}
+
+static int prove(prove_run *r)
+{
+    const char *complaint;
+    int result = load_scheme(&r->scheme, r->options.scheme_argument);
+    if (result >= 0)
+        return result;
+    complaint = valences_read(&r->valences, r->options.list);
+    if (complaint)
+        return complain(EXIT_USAGE, "--valence %s: %s", r->options.list, complaint);
+    if (!interval_self_test()) {
+        r->options.limits.no_intervals = true;
+        complain(0, "this machine or compiler does not round doubles as told: only balls are used");
+    }
+    if (!problem_make(&r->problem, &r->scheme))
+        return complain(EXIT_NO_MEMORY, "no memory");
+    result = open_archive(r);
+    return result >= 0 ? result : decide_all(r);
+}
+
+int command_prove(int argc, char **argv)
+{
+    prove_run r;
+    int result = read_options(&r.options, argc, argv);
+    if (result >= 0)
+        return result;
+    scheme_init(&r.scheme);
+    problem_init(&r.problem);
+    r.valences = (valences){NULL, 0};
+    archive_init(&r.archive);
+    result = prove(&r);
+    valences_clear(&r.valences);
+    archive_clear(&r.archive);
+    problem_clear(&r.problem);
+    scheme_clear(&r.scheme);
+    return finish_output(result);
+}

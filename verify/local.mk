@@ -1,0 +1,38 @@
+# verify: tests, escalation, certificates, archive, reports; the program. Uses lib and bigfloat.
+
+VERIFY_SOURCES = \
+  verify/outcome.h verify/outcome.c \
+  verify/buffer.h verify/buffer.c \
+  verify/sha256.h verify/sha256.c \
+  verify/tree.h verify/tree.c \
+  verify/problem.h verify/problem.c \
+  verify/choices.h verify/choices.c \
+  verify/certificate.h verify/certificate.c \
+  verify/analysis.h verify/findings.c \
+  verify/escalate.h verify/escalate.c \
+  verify/archive.h verify/archive.c \
+  verify/valences.h verify/valences.c
+
+# Compiled for every kind of number.
+VERIFY_GENERIC_SOURCES = \
+  verify/adaptive.h verify/adaptive.c \
+  verify/tests.h \
+  verify/spectrum_test.c \
+  verify/regularity_test.c \
+  verify/injectivity_test.c \
+  verify/analysis.c
+
+GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
+
+noinst_LIBRARIES += libverify.a
+libverify_a_SOURCES = $(VERIFY_SOURCES)
+
+bin_PROGRAMS += smoothcert
+smoothcert_SOURCES = \
+  verify/command.h \
+  verify/command_prove.c \
+  verify/command_schemes.c \
+  verify/main.c
+smoothcert_LDADD = $(VERIFY_LIBS)
+
+EXTRA_DIST += verify/certificate.md

@@ -1,0 +1,65 @@
+/* main.c: which command it is. */
+#ifdef HAVE_CONFIG_H
+#include "config.h"
+#endif
+#ifndef PACKAGE_VERSION
+#define PACKAGE_VERSION "unknown"
+#endif
+
+#include "command.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char help[] =
+    "Usage: smoothcert COMMAND [ARGUMENT]...\n"
+    "Proves that a subdivision scheme is C1 at extraordinary vertices, with certificates.\n"
+    "\n"
+    "  smoothcert prove SCHEME --valence LIST [OPTION]...   prove, and keep certificates\n"
+    "  smoothcert schemes [NAME]                            list the catalogue, or print a scheme\n"
+    "\n"
+    "  smoothcert COMMAND --help    the options of a command\n"
+    "  smoothcert --help            this text\n"
+    "  smoothcert --version         version of the program and of its certificates\n"
+    "\n"
+    "Exit status of prove: 0 everything was proved, 2 something stayed undecided; errors: 64 usage,\n"
+    "65 bad input, 70 a fault of the program, 71 no memory, 74 input or output.\n";
+
+int complain(int exit_status, const char *format, ...)
+{
+    va_list arguments;
+    fputs("smoothcert: ", stderr);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    return exit_status;
+}
+
+int finish_output(int exit_status)
+{
+    if (fflush(stdout) != 0 || ferror(stdout))
+        return complain(EXIT_IO, "standard output: %s", strerror(errno));
+    return exit_status;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2)
+        return complain(EXIT_USAGE, "no command given; 'smoothcert --help' lists them");
+    if (!strcmp(argv[1], "--help")) {
+        fputs(help, stdout);
+        return finish_output(0);
+    }
+    if (!strcmp(argv[1], "--version")) {
+        puts("smoothcert " PACKAGE_VERSION "\ncertificate format 0");
+        return finish_output(0);
+    }
+    if (!strcmp(argv[1], "prove"))
+        return command_prove(argc - 1, argv + 1);
+    if (!strcmp(argv[1], "schemes"))
+        return command_schemes(argc - 1, argv + 1);
+    return complain(EXIT_USAGE, "unknown command '%s'; 'smoothcert --help' lists them", argv[1]);
+}

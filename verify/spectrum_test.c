@@ -1,0 +1,176 @@
+/* spectrum_test.c: the eigenvalue L of block 1, and its dominance over all blocks (verify/certificate.md, section 6). */
+#include "tests.h"
+
+#include "../lib/eigen_approx.h"
+#include "../lib/eigenpair.h"
+#include "../lib/formula_value.h"
+#include "../lib/spectrum.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The runner-up is bounded by its approximation times this; if that proof fails, by L. */
+#define RUNNER_UP_SLACK (1 + 0x1p-20)
+
+typedef struct {
+    analysis *a;
+    number centre, ring; /* weights of the rule at the extraordinary vertex */
+    number scale;        /* thin, >= 1/L */
+} spectrum_run;
+
+static outcome make_block(block *b, spectrum_run *r, long m)
+{
+    analysis *a = r->a;
+    switch (block_make(b, a->problem->scheme, &a->mask[RING_VALUES], &r->centre, &r->ring, m, a->choices->valence, a->prec)) {
+    case BLOCK_OK:
+        return OUTCOME_TRUE;
+    case BLOCK_OPPOSITE:
+        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+    default:
+        return OUTCOME_NO_MEMORY;
+    }
+}
+
+static outcome evaluate_weights(spectrum_run *r)
+{
+    analysis *a = r->a;
+    diagnostic d;
+    switch (NUMBER_NAME(scheme_weights)(&r->centre, &r->ring, a->problem->scheme, a->choices->valence, a->prec, &d)) {
+    case STATUS_OK:
+        return OUTCOME_TRUE;
+    case STATUS_BAD_INPUT:
+        return findings_explain(a->findings, OUTCOME_FALSE, "line %ld, column %ld of the scheme: %s", d.line, d.column, d.text);
+    default:
+        return OUTCOME_NO_MEMORY;
+    }
+}
+
+/* Proves L and its eigenvector, 0 < L < 1, and sets scale. */
+static outcome prove_eigenpair(spectrum_run *r)
+{
+    analysis *a = r->a;
+    int n = a->dominant.n;
+    const number *eigenvalue;
+    number one, lower;
+    outcome o = OUTCOME_TRUE;
+    truth found = TRUTH_TRUE;
+    a->box = number_array_new((size_t)n + 1);
+    if (!a->box)
+        return OUTCOME_NO_MEMORY;
+    if (!a->replay)
+        found = eigenpair_choose(&a->choices->eigenpair, a->dominant.entry, n, a->choices->grid, a->prec);
+    else if (a->choices->eigenpair.n != n)
+        return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", n);
+    if (found == TRUTH_TRUE)
+        found = eigenpair_prove(a->box, &a->choices->eigenpair, a->dominant.entry, a->prec);
+    if (found != TRUTH_TRUE)
+        return found == TRUTH_FALSE ? OUTCOME_NO_MEMORY
+                                    : findings_explain(a->findings, OUTCOME_FAIL, "no box round an approximate dominant eigenpair of block 1 could be proved");
+    eigenvalue = &a->box[n];
+    number_init(&one);
+    number_init(&lower);
+    number_one(&one);
+    if (number_is_positive(eigenvalue) != TRUTH_TRUE || number_less(eigenvalue, &one) != TRUTH_TRUE)
+        o = findings_explain(a->findings, OUTCOME_FAIL, "the dominant eigenvalue of block 1 could not be shown to lie between 0 and 1");
+    number_lower(&lower, eigenvalue, a->prec);
+    number_inv(&r->scale, &lower, a->prec);
+    number_upper(&r->scale, &r->scale, a->prec);
+    a->findings->eigenvalue_lower = number_lower_bound(eigenvalue);
+    a->findings->eigenvalue_upper = number_upper_bound(eigenvalue);
+    number_clear(&one);
+    number_clear(&lower);
+    return o;
+}
+
+/* Raises the bound for all eigenvalues examined so far, if it can, to one that also holds for this matrix. */
+static void bound_runner_up(spectrum_run *r, const number *rest, int n, long m)
+{
+    findings *f = r->a->findings;
+    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), candidate;
+    number scale;
+    if (!approximation)
+        return; /* the bound then stays what it was before: infinity, or replaced below */
+    for (int i = 0; i < n * n; i++)
+        approximation[i] = number_mid_approx(&rest[i]);
+    candidate = spectral_radius_approx(approximation, n) * RUNNER_UP_SLACK;
+    free(approximation);
+    if (!(candidate <= f->runner_up))
+        f->runner_up_block = m;
+    candidate = fmax(candidate, f->runner_up);
+    number_init(&scale);
+    number_set_double(&scale, candidate, r->a->prec);
+    number_inv(&scale, &scale, r->a->prec);
+    number_upper(&scale, &scale, r->a->prec);
+    if (candidate > 0 && spectral_contraction(rest, &scale, n, 0, SPECTRAL_MAX_POWER, r->a->prec).contracts == TRUTH_TRUE)
+        f->runner_up = candidate;
+    else if (candidate > 0)
+        f->runner_up = f->eigenvalue_upper; /* it is smaller than L, and that is all */
+    number_clear(&scale);
+}
+
+static outcome prove_rest(spectrum_run *r, const number *rest, int n, long m)
+{
+    analysis *a = r->a;
+    int *power = &a->choices->power[m];
+    spectral_answer answer = a->replay ? spectral_contraction(rest, &r->scale, n, *power, *power, a->prec)
+                                       : spectral_contraction(rest, &r->scale, n, 0, SPECTRAL_MAX_POWER, a->prec);
+    if (answer.contracts == TRUTH_FALSE)
+        return OUTCOME_NO_MEMORY;
+    if (answer.contracts == TRUTH_UNKNOWN)
+        return findings_explain(a->findings, answer.diverges ? OUTCOME_FALSE : OUTCOME_FAIL,
+                                "block %ld: its eigenvalues%s could not be shown to be smaller than that of block 1%s", m,
+                                m == 0 ? " other than 1" : m == 1 ? " other than the dominant one" : "",
+                                answer.diverges ? "; one of them seems to be at least as large" : "");
+    *power = answer.power;
+    if (!a->replay)
+        bound_runner_up(r, rest, n, m);
+    return OUTCOME_TRUE;
+}
+
+/* All eigenvalues of block m other than 1 (m = 0) and L (m = 1) are smaller than L. */
+static outcome prove_block(spectrum_run *r, long m)
+{
+    analysis *a = r->a;
+    block made, *b = m == 1 ? &a->dominant : &made;
+    number *rest = NULL;
+    outcome o = m == 1 ? OUTCOME_TRUE : make_block(&made, r, m);
+    if (o == OUTCOME_TRUE && m <= 1) {
+        size_t size = (size_t)(b->n - 1) * (size_t)(b->n - 1);
+        rest = number_array_new(size);
+        if (rest) {
+            matrix_deflate(rest, b->entry, m ? a->box : NULL, b->n, m ? a->choices->eigenpair.pivot : 0, a->prec);
+            o = prove_rest(r, rest, b->n - 1, m);
+            number_array_free(rest, size);
+        } else {
+            o = OUTCOME_NO_MEMORY;
+        }
+    } else if (o == OUTCOME_TRUE) {
+        o = prove_rest(r, b->entry, b->n, m);
+    }
+    if (m != 1)
+        block_free(&made);
+    return o;
+}
+
+outcome test_spectrum(analysis *a)
+{
+    spectrum_run r;
+    outcome o;
+    a->findings->test = "spectrum";
+    a->findings->runner_up = 0;
+    r.a = a;
+    number_init(&r.centre);
+    number_init(&r.ring);
+    number_init(&r.scale);
+    o = evaluate_weights(&r);
+    if (o == OUTCOME_TRUE)
+        o = make_block(&a->dominant, &r, 1);
+    if (o == OUTCOME_TRUE)
+        o = prove_eigenpair(&r);
+    for (long m = 0; o == OUTCOME_TRUE && m <= a->choices->valence / 2; m++)
+        o = prove_block(&r, m);
+    number_clear(&r.centre);
+    number_clear(&r.ring);
+    number_clear(&r.scale);
+    return o;
+}
