@@ -3,7 +3,10 @@
 
 BIGFLOAT_TESTS = \
   tests/bigfloat/t-integer \
-  tests/bigfloat/t-ball
+  tests/bigfloat/t-ball \
+  tests/bigfloat/t-trig \
+  tests/bigfloat/t-interval \
+  tests/bigfloat/t-grid
 
 # These compare with MPFR and FLINT, or skip where there is none.
 ORACLE_TESTS =
