@@ -63,15 +63,15 @@ static void skip_blank(reader *r)
         r->at++;
 }
 
-/* Is the next blank-separated word this one?  Then steps over it. */
+/* Is the next word this one?  Then steps over it. */
 static bool take_word(reader *r, const char *word)
 {
     size_t length = strlen(word);
     skip_blank(r);
     if (!r->line || r->line->length - r->at < length || memcmp(r->line->text + r->at, word, length))
         return false;
-    if (r->at + length < r->line->length && r->line->text[r->at + length] != ' ' && r->line->text[r->at + length] != '(')
-        return false;
+    if (r->at + length < r->line->length && r->line->text[r->at + length] >= 'a' && r->line->text[r->at + length] <= 'z')
+        return false; /* a longer word */
     r->at += length;
     return true;
 }
@@ -96,7 +96,8 @@ static bool take_coordinate(reader *r, int *value)
     bool negative = take_character(r, '-');
     int digits = 0;
     *value = 0;
-    skip_blank(r);
+    if (!negative)
+        skip_blank(r);
     while (digits < 3 && r->at < r->line->length && r->line->text[r->at] >= '0' && r->line->text[r->at] <= '9') {
         *value = 10 * *value + (r->line->text[r->at++] - '0');
         digits++;

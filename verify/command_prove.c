@@ -163,11 +163,11 @@ static int open_archive(prove_run *r)
 /* ---- the answers ---- */
 
 /* Bounds are printed so that the decimals still are bounds.  Printing moves a number by at most half a unit of the
-   last digit, so it is moved by a little more than that before: for six places behind the point 0.5e-6 (the
-   excess is far above a rounding error of numbers below 2^20), for four significant digits of v at most v / 2000. */
+   last digit, so it is moved by a little more than that before: for nine places behind the point 0.5e-9 (the
+   excess is far above a rounding error of numbers below 1), for four significant digits of v at most v / 2000. */
 static double round_up(double v)
 {
-    return v + 0.5e-6 * (1 + 1e-3);
+    return v + 0.5e-9 * (1 + 1e-3);
 }
 
 static double round_down(double v)
@@ -178,9 +178,12 @@ static double round_down(double v)
 static void print_decision(const prove_run *r, const decision *d, const char *certificate)
 {
     const findings *f = &d->findings;
+    char others[32] = "L";
+    if (f->runner_up < f->eigenvalue_lower)
+        snprintf(others, sizeof others, "%.9f", round_up(f->runner_up));
     if (d->verdict == VERDICT_PROVED) {
-        printf("proved: %s is C1 at valence %ld; L = %s, others < %.6f (block %ld), Jacobian > %.4g, level %d, %ld elements, ", r->scheme.name, d->valence,
-               f->eigenvalue, round_up(f->runner_up), f->runner_up_block, round_down(f->jacobian), f->level, f->elements);
+        printf("proved: %s is C1 at valence %ld; L = %s, others < %s (block %ld), Jacobian > %.4g, level %d, %ld elements, ", r->scheme.name, d->valence,
+               f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian), f->level, f->elements);
     } else {
         printf("undecided: %s at valence %ld; %s: %s; last tried with ", r->scheme.name, d->valence, f->test, f->reason);
     }

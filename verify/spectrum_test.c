@@ -9,9 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The runner-up is bounded by its approximation times this; if that proof fails, by L. */
-#define RUNNER_UP_SLACK (1 + 0x1p-20)
-
 typedef struct {
     analysis *a;
     number centre, ring; /* weights of the rule at the extraordinary vertex */
@@ -82,30 +79,43 @@ static outcome prove_eigenpair(spectrum_run *r)
     return o;
 }
 
-/* Raises the bound for all eigenvalues examined so far, if it can, to one that also holds for this matrix. */
+/* Is every eigenvalue of the matrix smaller than the candidate in modulus? */
+static bool is_bound(const number *rest, int n, double candidate, long prec)
+{
+    bool proved;
+    number scale;
+    number_init(&scale);
+    number_set_double(&scale, candidate, prec);
+    number_inv(&scale, &scale, prec);
+    number_upper(&scale, &scale, prec);
+    proved = spectral_contraction(rest, &scale, n, 0, SPECTRAL_MAX_POWER, prec).contracts == TRUTH_TRUE;
+    number_clear(&scale);
+    return proved;
+}
+
+/* Raises the bound for the blocks examined so far, where needed, to one that also holds for this matrix: a little
+   more than its approximate spectral radius.  Multiple eigenvalues need more than a little. */
 static void bound_runner_up(spectrum_run *r, const number *rest, int n, long m)
 {
+    static const double slack[] = {0x1p-20, 0x1p-14, 0x1p-8, 0x1p-4};
     findings *f = r->a->findings;
-    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), candidate;
-    number scale;
-    if (!approximation)
-        return; /* the bound then stays what it was before: infinity, or replaced below */
-    for (int i = 0; i < n * n; i++)
+    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), radius = NAN;
+    for (int i = 0; approximation && i < n * n; i++)
         approximation[i] = number_mid_approx(&rest[i]);
-    candidate = spectral_radius_approx(approximation, n) * RUNNER_UP_SLACK;
+    if (approximation)
+        radius = spectral_radius_approx(approximation, n);
     free(approximation);
-    if (!(candidate <= f->runner_up))
-        f->runner_up_block = m;
-    candidate = fmax(candidate, f->runner_up);
-    number_init(&scale);
-    number_set_double(&scale, candidate, r->a->prec);
-    number_inv(&scale, &scale, r->a->prec);
-    number_upper(&scale, &scale, r->a->prec);
-    if (candidate > 0 && spectral_contraction(rest, &scale, n, 0, SPECTRAL_MAX_POWER, r->a->prec).contracts == TRUTH_TRUE)
-        f->runner_up = candidate;
-    else if (candidate > 0)
-        f->runner_up = f->eigenvalue_upper; /* it is smaller than L, and that is all */
-    number_clear(&scale);
+    if (n == 0 || (radius * (1 + slack[0]) <= f->runner_up && is_bound(rest, n, f->runner_up, r->a->prec)))
+        return;
+    f->runner_up_block = m;
+    for (size_t i = 0; i < sizeof slack / sizeof *slack; i++) {
+        double candidate = fmax(radius * (1 + slack[i]), f->runner_up);
+        if (candidate < f->eigenvalue_lower && is_bound(rest, n, candidate, r->a->prec)) {
+            f->runner_up = candidate;
+            return;
+        }
+    }
+    f->runner_up = f->eigenvalue_upper; /* it is smaller than L, and that is all */
 }
 
 static outcome prove_rest(spectrum_run *r, const number *rest, int n, long m)

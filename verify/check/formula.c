@@ -6,7 +6,7 @@
 
 #include "trig.h"
 
-enum { MAX_NESTING = 64, MAX_EXPONENT = 64, MAX_NUMBER = 4000 };
+enum { MAX_NESTING = 64, MAX_EXPONENT = 64 };
 
 struct parser {
     struct cursor *c;
@@ -118,7 +118,7 @@ static void negate(struct value *v)
 }
 
 /* v := v ^ n, or v ^ -n */
-static void raise(struct value *v, int n, bool inverse, struct parser *p)
+static void raise_to_power(struct value *v, int n, bool inverse, struct parser *p)
 {
     struct value one, base;
 
@@ -175,7 +175,6 @@ static void read_number(struct value *out, struct parser *p)
     struct cursor *c = p->c;
     integer num, den, ten, digit;
     bool point = false, digit_last = false;
-    int characters = 0;
 
     integer_set_small(&num, 0);
     integer_set_small(&den, 1);
@@ -192,8 +191,6 @@ static void read_number(struct value *out, struct parser *p)
             point = true;
         }
         c->at++;
-        if (++characters > MAX_NUMBER)
-            cursor_error(c, "expected a number of at most 4000 characters");
     }
     if (!digit_last)
         cursor_error(c, "expected a digit");
@@ -260,7 +257,7 @@ static void read_power(struct value *out, struct parser *p)
         if (n > MAX_EXPONENT)
             cursor_error(c, "expected an exponent of at most 64");
     }
-    raise(out, n, inverse, p);
+    raise_to_power(out, n, inverse, p);
 }
 
 static void read_term(struct value *out, struct parser *p)

@@ -19,6 +19,9 @@ void rational_reduce(rational *out, const integer *num, const integer *den)
     integer_gcd(&gcd, &n, &d);
     integer_divide_floor(&out->num, &n, &gcd);     /* exact */
     integer_divide_floor(&out->den, &d, &gcd);     /* exact */
+    if (integer_bits(&out->num) > RATIONAL_BITS ||
+        integer_bits(&out->den) > RATIONAL_BITS)
+        cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
 }
 
 void rational_set(rational *out, const rational *a)

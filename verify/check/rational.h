@@ -5,10 +5,13 @@
  * =========
  *
  * Exact rational numbers num/den.  Always den > 0 and gcd(num, den) = 1, so
- * equal numbers have equal parts.  Outputs may be the same objects as inputs.
+ * equal numbers have equal parts.  A number with more than 16,384 bits above or
+ * below is an error (lib/scheme.md): cannot check.  Outputs may be inputs.
  */
 
 #include "integer.h"
+
+enum { RATIONAL_BITS = 16384 };
 
 typedef struct {
     integer num, den;
