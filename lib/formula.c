@@ -9,8 +9,9 @@
 
 typedef struct {
     const char *at, *end;
-    const char *start; /* of the text: its column is `column` */
-    long line, column;
+    const char *start;  /* of the text */
+    long line;
+    const long *column; /* of each of its characters, in the file */
     int depth;
     diagnostic *complaint;
 } reader;
@@ -27,7 +28,7 @@ void formula_free(formula *f)
 
 static long column_of(const reader *r, const char *place)
 {
-    return r->column + (long)(place - r->start);
+    return r->column[place - r->start];
 }
 
 static void skip_blanks(reader *r)
@@ -220,7 +221,7 @@ static status read_formula(formula **z, reader *r)
     return s == STATUS_OK ? continue_chain(z, r, "+-", read_term) : s;
 }
 
-status formula_read(formula **f, const char *text, size_t length, long line, long column, diagnostic *d)
+status formula_read(formula **f, const char *text, size_t length, long line, const long *column, diagnostic *d)
 {
     reader r = {text, text + length, text, line, column, 0, d};
     status s;

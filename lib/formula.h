@@ -23,9 +23,9 @@ struct formula {
 
 void formula_free(formula *f); /* NULL is allowed */
 
-/* Reads the formula that fills text[0..length) and starts at the place given in the file; *f is the caller's to
-   free.  On STATUS_BAD_INPUT *d says where and what was expected. */
-status formula_read(formula **f, const char *text, size_t length, long line, long column, diagnostic *d);
+/* Reads the formula that fills text[0..length); column[i], i <= length, says where text[i] stood in that line of the
+   file.  *f is the caller's to free.  On STATUS_BAD_INPUT *d says where and what was expected. */
+status formula_read(formula **f, const char *text, size_t length, long line, const long *column, diagnostic *d);
 
 /* A formula contains k? */
 bool formula_depends_on_valence(const formula *f);

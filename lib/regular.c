@@ -43,6 +43,7 @@ bool regular_derive(regular_masks *z, const laurent *mask)
     return ok;
 }
 
+/* s^N(z) = s(z) s(z^2) ... s(z^(2^(N-1))) */
 bool regular_norm(rational *norm, const laurent *s, int power)
 {
     laurent product, factor;
@@ -51,18 +52,25 @@ bool regular_norm(rational *norm, const laurent *s, int power)
     laurent_init(&factor);
     ok = laurent_set(&product, s);
     for (int i = 1; ok && i < power; i++)
-        ok = laurent_stretch(&factor, s, 1L << i) && laurent_mul(&product, &product, &factor);
+        ok = laurent_stretch(&factor, s, 1L << i) && laurent_mul(&product, &factor, &product);
     ok = ok && laurent_class_norm(norm, &product, 1L << power);
     laurent_clear(&product);
     laurent_clear(&factor);
     return ok;
 }
 
+/* The cost of the last product: the terms of s times the box of s^(N-1), which is about 2^(N-1) times as wide. */
+static bool is_affordable(const laurent *s, int power)
+{
+    double size = (double)s->na * (double)s->nb;
+    return power <= REGULAR_MAX_POWER && size * size * (double)(1L << 2 * (power - 1)) <= REGULAR_MAX_WORK;
+}
+
 bool regular_contraction(int power[3], rational norm[3], const regular_masks *masks)
 {
     for (int i = 0; i < 3; i++) {
         bool found = false;
-        for (power[i] = 1; masks->divisible && !found && power[i] <= REGULAR_MAX_POWER; power[i] += !found) {
+        for (power[i] = 1; masks->divisible && !found && is_affordable(&masks->second[i], power[i]); power[i] += !found) {
             if (!regular_norm(&norm[i], &masks->second[i], power[i]))
                 return false;
             found = rational_cmp_si(&norm[i], 1, 1) < 0;

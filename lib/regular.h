@@ -22,6 +22,8 @@ BIGFLOAT_MUST_USE bool regular_derive(regular_masks *z, const laurent *mask);
 
 /* The largest power that regular_contraction tries: 2^6 classes in each direction. */
 #define REGULAR_MAX_POWER 6
+/* And it stops where a product would take more multiplications than this. */
+#define REGULAR_MAX_WORK 3e7
 
 /* norm = |S^N| for the scheme with mask s, 1 <= power <= REGULAR_MAX_POWER. */
 BIGFLOAT_MUST_USE bool regular_norm(rational *norm, const laurent *s, int power);

@@ -127,7 +127,7 @@ static status read_rest_as_formula(formula **f, reader *r)
     skip_blank(r);
     if (r->at >= r->line->length)
         return expected(r, "a formula");
-    return formula_read(f, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column[r->at], r->complaint);
+    return formula_read(f, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column + r->at, r->complaint);
 }
 
 /* ---- the statements ---- */
@@ -148,6 +148,7 @@ static status read_name(scheme *z, reader *r)
         n++;
         r->at++;
     }
+    skip_blank(r);
     if (n == 0 || n > SCHEME_NAME_MAX || r->at < r->line->length)
         return expected(r, "a name (a lower-case letter, then at most 63 lower-case letters, digits and '-')");
     z->name[n] = '\0';
