@@ -59,7 +59,8 @@ static double row_norm(number *norm, const number *c, int n, long prec)
     return attained;
 }
 
-/* Beyond this an entry has grown too much: see certificate.md, section 6. */
+/* Beyond this an entry has grown too much: see certificate.md, section 6.  If it does so within few squarings (of
+   prec / 2: growth by 2^32 then means a ratio of 1 + 2^(5 - prec/2) at least), rounding is not the reason. */
 #define DIVERGED 0x1p64
 
 spectral_answer spectral_contraction(const number *b, const number *scale, int n, int least, int limit, long prec)
@@ -77,7 +78,7 @@ spectral_answer spectral_contraction(const number *b, const number *scale, int n
             number_mul(&c[i], &b[i], scale, prec);
         for (;; answer.power++) {
             double attained = row_norm(&norm, c, n, prec), bound = number_upper_bound(&norm);
-            answer.diverges = attained > DIVERGED / 0x1p32;
+            answer.diverges = attained > DIVERGED / 0x1p32 && answer.power <= prec / 2;
             if (answer.power >= least && number_less(&norm, &one) == TRUTH_TRUE)
                 answer.contracts = TRUTH_TRUE;
             if (answer.contracts == TRUTH_TRUE || answer.power == limit || !(bound < DIVERGED))

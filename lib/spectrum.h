@@ -8,9 +8,6 @@
 #define matrix_deflate NUMBER_NAME(matrix_deflate)
 #define spectral_contraction NUMBER_NAME(spectral_contraction)
 
-/* How often a matrix may be squared. */
-#define SPECTRAL_MAX_POWER 40
-
 /* z, (n-1) x (n-1), = b without the eigenvalue of the eigenvector x, x_pivot = 1: b_ij - x_i b_pivot,j, row and
    column `pivot` removed.  Exactly the other eigenvalues remain.  x = NULL is the vector of ones.  z is not b. */
 void matrix_deflate(number *z, const number *b, const number *x, int n, int pivot, long prec);

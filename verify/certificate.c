@@ -205,7 +205,7 @@ static void read_choices(reader *r, choices *c)
     read_eigenpair(r, &c->eigenpair, grid);
     expect(r, "power");
     for (long m = 0; m <= valence / 2; m++)
-        c->power[m] = (int)read_long(r, 10, 0, 40);
+        c->power[m] = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
     expect(r, "halfplane");
     for (int i = 0; i < 2; i++)
         c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);

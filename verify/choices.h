@@ -14,6 +14,7 @@
 #define CHOICES_MIN_GRID 64
 #define CHOICES_MAX_GRID 8192
 #define CHOICES_NORMAL_BITS 32
+#define CHOICES_MAX_POWER 10000
 
 typedef struct {
     long valence;

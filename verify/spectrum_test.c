@@ -88,7 +88,7 @@ static bool is_bound(const number *rest, int n, double candidate, long prec)
     number_set_double(&scale, candidate, prec);
     number_inv(&scale, &scale, prec);
     number_upper(&scale, &scale, prec);
-    proved = spectral_contraction(rest, &scale, n, 0, SPECTRAL_MAX_POWER, prec).contracts == TRUTH_TRUE;
+    proved = spectral_contraction(rest, &scale, n, 0, CHOICES_MAX_POWER, prec).contracts == TRUTH_TRUE;
     number_clear(&scale);
     return proved;
 }
@@ -123,7 +123,7 @@ static outcome prove_rest(spectrum_run *r, const number *rest, int n, long m)
     analysis *a = r->a;
     int *power = &a->choices->power[m];
     spectral_answer answer = a->replay ? spectral_contraction(rest, &r->scale, n, *power, *power, a->prec)
-                                       : spectral_contraction(rest, &r->scale, n, 0, SPECTRAL_MAX_POWER, a->prec);
+                                       : spectral_contraction(rest, &r->scale, n, 0, CHOICES_MAX_POWER, a->prec);
     if (answer.contracts == TRUTH_FALSE)
         return OUTCOME_NO_MEMORY;
     if (answer.contracts == TRUTH_UNKNOWN)

@@ -11,7 +11,7 @@
 enum {
     MIN_VALENCE = 3, MAX_VALENCE = 4096,
     MIN_GRID = 64, MAX_GRID = 8192, BITS_ABOVE_GRID = 64,
-    MAX_CONTRACTION = 10, MAX_POWER = 40,
+    MAX_CONTRACTION = 10, MAX_POWER = 10000,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
     MAX_DECIMAL = 9                                /* digits; all limits have less */

@@ -14,10 +14,11 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
 {
     FILE *file = fopen(name, "rb");
     size_t capacity = 65536, used = 0;
-    char *text = allocate(capacity, 1);
+    char *text;
 
     if (file == NULL)
         cannot_check("%s: the file cannot be opened", name);
+    text = allocate(capacity, 1);
     for (;;) {
         used += fread(text + used, 1, capacity - 1 - used, file);
         if (used < capacity - 1)
@@ -83,11 +84,12 @@ static void check_bytes(const char *file, const char *text, size_t size)
 char *text_canonical(const char *file, const char *text, size_t size,
                      size_t *canonical_size)
 {
-    char *out = allocate(size + 2, 1);
     size_t used = 0, line_start = 0;
     bool in_comment = false, blank = false;
+    char *out;
 
     check_bytes(file, text, size);
+    out = allocate(size + 2, 1);
     for (size_t i = 0; i <= size; i++) {
         if (i == size || text[i] == '\n') {       /* the last LF may be missing */
             if (used > line_start)
