@@ -1,9 +1,13 @@
 # bench: programs that measure, for `make bench`. Each prints its own table.
 
-BENCHES =
+BENCHES = \
+  bench/bigfloat
 
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
+
+# These compare with MPFR and FLINT where there are any.
+bench_bigfloat_LDADD = $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)
 
 .PHONY: bench
 bench: all

@@ -63,8 +63,7 @@ void ball_zero(ball *z)
 
 /* ---- rounding ---- */
 
-/* Mantissa and error are in place: bring the exponent into its range. */
-static void settle_exponent(ball *z)
+void ball_settle_exponent(ball *z)
 {
     if (z->size == 0 && z->error == 0) {
         z->exponent = 0;
@@ -130,7 +129,7 @@ void ball_store(ball *z, limb_t *w, size_t n, bool negative, limb_t err, int64_t
     z->size = negative ? -(int32_t)n : (int32_t)n;
     z->error = error;
     z->exponent = e + s;
-    settle_exponent(z);
+    ball_settle_exponent(z);
 }
 
 /* ---- size ---- */
@@ -143,23 +142,30 @@ int64_t ball_top(const ball *x)
     return x->exponent + 1 + (bits > error_bits ? bits : error_bits);
 }
 
-void ball_magnitude_word(limb_t *w, int64_t *k, const ball *x)
+void ball_mantissa_word(limb_t *w, int64_t *k, const ball *x)
 {
     size_t n = ball_length(x);
     const limb_t *m = ball_limbs(x);
     int64_t bits = (int64_t)ball_mantissa_bits(x);
+    *k = bits > 30 ? bits - 30 : 0;
     if (bits <= 30) {
-        *w = (n ? m[0] : 0) + x->error;
-        *k = 0;
+        *w = n ? m[0] : 0;
         return;
     }
     limb_t top = m[n - 1];
     int c = limb_clz(top);
     if (c)
         top = top << c | (n > 1 ? m[n - 2] >> (64 - c) : 0);
-    *k = bits - 30;
-    /* ROUNDING: |m| < (top + 1) 2^k, and the error is at most this many units of 2^k */
-    *w = (top >> 34) + 1 + (*k < 64 ? x->error >> *k : 0) + 1;
+    *w = (top >> 34) + 1; /* ROUNDING: |m| < (top + 1) 2^k */
+}
+
+void ball_magnitude_word(limb_t *w, int64_t *k, const ball *x)
+{
+    ball_mantissa_word(w, k, x);
+    if (*k == 0)
+        *w += x->error;
+    else
+        *w += (*k < 64 ? x->error >> *k : 0) + (x->error != 0); /* ROUNDING: ceiling, or one more */
 }
 
 void ball_set_error(ball *z, limb_t w, int64_t k)
@@ -284,7 +290,7 @@ void ball_set_from_zero(ball *z, limb_t t, int64_t e)
     z->size = t != 0;
     z->error = t;
     z->exponent = e - 1;
-    settle_exponent(z);
+    ball_settle_exponent(z);
 }
 
 /* If 0 is inside, |x| is in [0, |m| + err]. */
@@ -304,7 +310,7 @@ void ball_mul_2exp(ball *z, const ball *x, long e, long prec)
     ball_set_round(z, x, prec);
     if (!ball_is_special(z)) {
         z->exponent += clamp_exponent(e);
-        settle_exponent(z);
+        ball_settle_exponent(z);
     }
 }
 

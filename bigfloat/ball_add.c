@@ -4,6 +4,7 @@
    so far apart that the smaller one (with its error) is below one unit in the last place of the result, it
    becomes one unit of error. */
 #include "ball.h"
+#include "ball_fixed.h"
 #include "ball_internal.h"
 
 /* w = m 2^d, n limbs in all. */
@@ -66,6 +67,85 @@ static void add_negligible(ball *z, const ball *x, bool negative, long prec)
     ball_scratch_free(&space);
 }
 
+/* ---- two long mantissas of one length: one pass, as fixed_add ---- */
+
+/* p = a 2^up +- floor(b 2^-down), n limbs, the answer is the carry (1: no borrow, if subtract); down < 64 n. */
+static limb_t shift_and_add(limb_t *p, const limb_t *a, unsigned up, const limb_t *b, size_t down, bool subtract, size_t n)
+{
+    limb_t mask = 0 - (limb_t)subtract, carry = subtract, below = 0;
+    size_t whole = down / 64, i = 0;
+    unsigned r = down % 64;
+    for (; i + whole + 1 < n; i++) {
+        limb_t u = a[i] << up | (below >> 1) >> (63 - up), v = b[i + whole] >> r | (b[i + whole + 1] << 1) << (63 - r);
+        below = a[i];
+        p[i] = limb_add(u, v ^ mask, &carry);
+    }
+    for (; i < n; i++) {
+        limb_t u = a[i] << up | (below >> 1) >> (63 - up), v = i + whole < n ? b[i + whole] >> r : 0;
+        below = a[i];
+        p[i] = limb_add(u, v ^ mask, &carry);
+    }
+    return carry;
+}
+
+static bool add_long(ball *z, const ball *x, const ball *y, bool flip, int64_t room)
+{
+    size_t n = ball_length(x);
+    if (n != ball_length(y) || room != 64 * (int64_t)n || n > BALL_STACK_LIMBS)
+        return false;
+    bool x_negative = x->size < 0, y_negative = (y->size < 0) != flip;
+    if (x->exponent < y->exponent) {
+        const ball *t = x;
+        x = y;
+        y = t;
+        bool negative = x_negative;
+        x_negative = y_negative;
+        y_negative = negative;
+    }
+    int64_t d = x->exponent - y->exponent;
+    if (d >= room)
+        return false;
+    int up = limb_clz(ball_limbs(x)[n - 1]), free_bits = BALL_ERROR_BITS - 1 - limb_bits(x->error);
+    up = up > d ? (int)d : up;
+    if (x->error && up > free_bits)
+        up = free_bits > 0 ? free_bits : 0;
+    size_t down = (size_t)(d - up);
+    limb_t p[BALL_STACK_LIMBS], lost = down ? !limb_low_bits_zero(ball_limbs(y), n, down) : 0;
+    bool subtract = x_negative != y_negative;
+    limb_t carry = shift_and_add(p, ball_limbs(x), (unsigned)up, ball_limbs(y), down, subtract, n);
+    if (subtract && carry == 0) { /* y was greater */
+        for (size_t i = 0; i < n; i++)
+            p[i] = ~p[i];
+        limb_add_1(p, p, n, 1);
+        x_negative = y_negative;
+    }
+    if (subtract)
+        carry = 0;
+    if (lost && !carry && p[n - 1] >> (x->error | y->error ? 61 : 63) == 0)
+        return false; /* as in fixed_add */
+    limb_t err = (x->error << up) + ball_error_at((int64_t)down, y->error, 0) + lost; /* ROUNDING: as in fixed_add */
+    int s = err >> BALL_ERROR_BITS ? limb_bits(err) - (BALL_ERROR_BITS - 1) : (int)carry;
+    if (s) {
+        limb_t mask = ((limb_t)1 << s) - 1;
+        err = (err >> s) + ((err & mask) != 0) + ((p[0] & mask) != 0); /* ROUNDING: ceiling, and the bits cut off */
+        limb_shift_right(p, p, n, (unsigned)s);
+        p[n - 1] |= carry << (64 - s);
+    }
+    int64_t e = x->exponent - up + s;
+    size_t size = limb_normal(p, n);
+    limb_t *to = ball_fresh(z, size);
+    if (!to) {
+        ball_no_memory(z);
+        return true;
+    }
+    limb_copy(to, p, size);
+    z->size = x_negative ? -(int32_t)size : (int32_t)size;
+    z->error = err;
+    z->exponent = e;
+    ball_settle_exponent(z);
+    return true;
+}
+
 /* Let T be the larger top and e the lower exponent.  If T - e exceeds 64 (length x + length y) + room + 128, the
    operand with the lower exponent is below 2^(higher exponent - room - 64): errors.md, "Sums". */
 static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long prec)
@@ -85,6 +165,8 @@ static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long pr
             z->size = -z->size;
         return;
     }
+    if (ball_length(x) > BALL_INLINE_LIMBS && add_long(z, x, y, flip, ball_room_bits(prec)))
+        return;
     int64_t tx = ball_top(x), ty = ball_top(y), top = tx > ty ? tx : ty;
     int64_t e = x->exponent < y->exponent ? x->exponent : y->exponent;
     int64_t limit = 64 * (int64_t)(ball_length(x) + ball_length(y)) + ball_room_bits(prec) + 128;
@@ -96,8 +178,41 @@ static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long pr
         add_negligible(z, y, y_negative, prec);
 }
 
-void ball_add(ball *z, const ball *x, const ball *y, long prec) { add_signed(z, x, y, false, prec); }
-void ball_sub(ball *z, const ball *x, const ball *y, long prec) { add_signed(z, x, y, true, prec); }
+FIXED_INLINE bool short_sum(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    int64_t room = ball_room_bits(prec);
+    switch (fixed_length(x, y, room)) {
+    case 1: return fixed_add(z, x, y, flip, (int)room, 1);
+    case 2: return fixed_add(z, x, y, flip, (int)room, 2);
+    case 3: return fixed_add(z, x, y, flip, (int)room, 3);
+    case 4: return fixed_add(z, x, y, flip, (int)room, 4);
+    default: return false;
+    }
+}
+
+#if LIMB_HAVE_ADX
+FIXED_BMI2 static bool add_short_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    return short_sum(z, x, y, flip, prec);
+}
+#endif
+
+static bool add_short(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    return short_sum(z, x, y, flip, prec);
+}
+
+void ball_add(ball *z, const ball *x, const ball *y, long prec)
+{
+    if (!FIXED_BEST(add_short)(z, x, y, false, prec))
+        add_signed(z, x, y, false, prec);
+}
+
+void ball_sub(ball *z, const ball *x, const ball *y, long prec)
+{
+    if (!FIXED_BEST(add_short)(z, x, y, true, prec))
+        add_signed(z, x, y, true, prec);
+}
 
 void ball_add_error(ball *z, const ball *x, const ball *r, long prec)
 {

@@ -80,13 +80,74 @@ static int compare_endpoints(const ball *x, bool x_upper, const ball *y, bool y_
     return order;
 }
 
-/* ---- signs ---- */
+/* ---- leading words ---- */
 
 /* Has every number the sign of m?  (Then m != 0.) */
-static bool sign_is_sure(const ball *x)
+static inline bool sign_is_sure(const ball *x)
 {
     return x->size > 1 || x->size < -1 || (x->size && ball_limbs(x)[0] > x->error);
 }
+
+/* low 2^at <= |x| <= high 2^at for every x of a ball whose sign is sure, with 2^62 <= low, high < 2^64; false: the error
+   is too large for that. */
+typedef struct {
+    limb_t low, high;
+    int64_t at;
+} leading;
+
+static inline bool leading_word(leading *l, const ball *x)
+{
+    size_t n = ball_length(x);
+    const limb_t *m = ball_limbs(x);
+    int c = limb_clz(m[n - 1]);
+    limb_t w = m[n - 1] << c, e = x->error;
+    if (n > 1) {
+        w |= (m[n - 2] >> 1) >> (63 - c);
+        int64_t k = 64 * (int64_t)(n - 1) - c; /* units of 2^k */
+        e = k < 30 ? (e >> k) + 2 : 2;         /* ROUNDING: ceiling, and the digits below w */
+        l->at = x->exponent + k;
+    } else {
+        if (e >> (62 - c) && c > 32)
+            return false;
+        e <<= c;
+        l->at = x->exponent - c;
+    }
+    l->low = w - e;
+    l->high = w + e;
+    return e < (limb_t)1 << 62 && l->high > w - e && l->low >> 62;
+}
+
+/* -1: every |x| is less than every |y|; 1: greater; 0: not seen at once. */
+static inline int quick_magnitudes(const ball *x, const ball *y)
+{
+    leading a, b;
+    if (!leading_word(&a, x) || !leading_word(&b, y))
+        return 0;
+    int64_t d = a.at - b.at;
+    if (d >= 3 || d <= -3) /* 2^62 2^3 > 2^64 */
+        return d < 0 ? -1 : 1;
+    if (d > 0) { /* floor and ceiling of the lower one's words at the higher scale */
+        b.low >>= d;
+        b.high = (b.high >> d) + 1;
+    } else if (d < 0) {
+        a.low >>= -d;
+        a.high = (a.high >> -d) + 1;
+    }
+    return a.high < b.low ? -1 : b.high < a.low ? 1 : 0;
+}
+
+/* The same for the numbers themselves; both balls finite. */
+static inline int quick_order(const ball *x, const ball *y)
+{
+    if (!sign_is_sure(x) || !sign_is_sure(y))
+        return 0;
+    if ((x->size < 0) != (y->size < 0))
+        return x->size < 0 ? -1 : 1;
+    int c = quick_magnitudes(x, y);
+    return x->size < 0 ? -c : c;
+}
+
+/* ---- signs ---- */
 
 bool ball_contains_zero(const ball *x)
 {
@@ -127,7 +188,10 @@ truth ball_less(const ball *x, const ball *y)
 {
     if (ball_is_special(x) || ball_is_special(y))
         return TRUTH_UNKNOWN;
-    int c = compare_endpoints(x, true, y, false);
+    int c = quick_order(x, y);
+    if (c)
+        return c < 0 ? TRUTH_TRUE : TRUTH_FALSE;
+    c = compare_endpoints(x, true, y, false);
     if (c == -1)
         return TRUTH_TRUE;
     if (c == 2)
@@ -142,6 +206,8 @@ bool ball_contains(const ball *x, const ball *y)
         return true;
     if (ball_is_special(y))
         return false;
+    if (quick_order(x, y))
+        return false;
     int a = compare_endpoints(x, false, y, false), b = compare_endpoints(y, true, x, true);
     return a <= 0 && b <= 0;
 }
@@ -152,14 +218,14 @@ bool ball_contains_interior(const ball *x, const ball *y)
         return true;
     if (ball_is_special(y))
         return false;
-    return compare_endpoints(x, false, y, false) == -1 && compare_endpoints(y, true, x, true) == -1;
+    return !quick_order(x, y) && compare_endpoints(x, false, y, false) == -1 && compare_endpoints(y, true, x, true) == -1;
 }
 
 bool ball_overlaps(const ball *x, const ball *y)
 {
     if (ball_is_special(x) || ball_is_special(y))
         return true;
-    return compare_endpoints(x, false, y, true) != 1 && compare_endpoints(y, false, x, true) != 1;
+    return !quick_order(x, y) && compare_endpoints(x, false, y, true) != 1 && compare_endpoints(y, false, x, true) != 1;
 }
 
 /* Order of an endpoint and p / q: of endpoint q and p; 2 = no memory. */

@@ -29,12 +29,13 @@ static bool magnitude_word_lower(limb_t *d, int64_t *k, const ball *x)
 }
 
 /* In units of 2^-s, with quotient q <= |mx| 2^s / |my| < q + 1, the error is at most
-   (err_x 2^s + (q + 1) err_y) / (|my| - err_y), plus 1 for the truncated quotient. */
+   (err_x 2^s + (q + 1) err_y) / (|my| - err_y), plus 1 for the truncated quotient; q instead of q + 1 if the division
+   left no remainder. */
 static limb_t quotient_error(int64_t *k, const ball *x, const ball *y, const ball *q, int64_t s, limb_t d, int64_t dk)
 {
     limb_t u;
     int64_t i;
-    ball_magnitude_word(&u, &i, q); /* q with error 1: >= q + 1 */
+    ball_magnitude_word(&u, &i, q); /* of the ball q +- (the remainder is not 0) */
     limb_t a = ball_error_sum(k, x->error, x->error ? s : 0, u * y->error, y->error ? i : 0);
     if (a == 0) {
         *k = 0;
@@ -84,7 +85,7 @@ static void divide(ball *z, const ball *x, const ball *y, limb_t d, int64_t dk, 
         ball t;
         ball_init(&t);
         t.size = (int32_t)nq;
-        t.error = 1;
+        t.error = err; /* |mx| 2^s / |my| <= q, or < q + 1 */
         t.capacity = nq ? (uint32_t)nq : 1;
         t.at.heap = q; /* only looked at */
         limb_t more = quotient_error(&k, x, y, &t, s, d, dk);

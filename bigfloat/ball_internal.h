@@ -40,6 +40,9 @@ limb_t *ball_fresh(ball *z, size_t n);
    not part of z. */
 void ball_store(ball *z, limb_t *w, size_t n, bool negative, limb_t err, int64_t k, int64_t e, long prec);
 
+/* Mantissa and error are in place: bring the exponent into its range. */
+void ball_settle_exponent(ball *z);
+
 /* |x| < 2^top for every number x of the ball: bits of (|m| + err), plus e.  Only for finite balls that are
    not exactly 0. */
 int64_t ball_top(const ball *x);
@@ -47,14 +50,25 @@ int64_t ball_top(const ball *x);
 /* |m| + err <= *w 2^*k with *w < 2^31 + 2; w = |m| + err and k = 0 if |m| < 2^30. */
 void ball_magnitude_word(limb_t *w, int64_t *k, const ball *x);
 
-/* a 2^i + b 2^j <= result 2^*k, where *k = max(i, j) and a, b < 2^63. */
+/* |m| <= *w 2^*k in the same way, without the error. */
+void ball_mantissa_word(limb_t *w, int64_t *k, const ball *x);
+
+/* ceil(a 2^i / 2^k); when k < i the result must fit. */
+static inline limb_t ball_error_at(int64_t k, limb_t a, int64_t i)
+{
+    if (k <= i)
+        return a << (i - k);
+    int64_t d = k - i;
+    return d < 64 ? (a >> d) + ((a & (((limb_t)1 << d) - 1)) != 0) : a != 0; /* ROUNDING: ceiling */
+}
+
+/* a 2^i + b 2^j <= result 2^*k, a, b < 2^63, i, j >= 0.  *k is low enough that the greater of the two keeps 40 bits,
+   and so high that both stay below 2^63. */
 static inline limb_t ball_error_sum(int64_t *k, limb_t a, int64_t i, limb_t b, int64_t j)
 {
-    *k = i > j ? i : j;
-    int64_t da = *k - i, db = *k - j;
-    limb_t ra = da == 0 ? a : (da < 64 ? a >> da : 0) + (a != 0); /* ROUNDING: ceiling of a 2^-da */
-    limb_t rb = db == 0 ? b : (db < 64 ? b >> db : 0) + (b != 0); /* ROUNDING: ceiling of b 2^-db */
-    return ra + rb;
+    int64_t ta = a ? i + limb_bits(a) : 0, tb = b ? j + limb_bits(b) : 0, t = (ta > tb ? ta : tb) - 40;
+    *k = t > 0 ? t : 0;
+    return ball_error_at(*k, a, i) + ball_error_at(*k, b, j);
 }
 
 /* Scratch limbs: on the stack while they are few. */
@@ -72,6 +86,10 @@ static inline limb_t *ball_scratch_new(ball_scratch *s, size_t n)
     return s->heap = malloc(n * sizeof(limb_t));
 }
 static inline void ball_scratch_free(ball_scratch *s) { free(s->heap); }
+
+/* p = floor(pi 2^(64 n)), n + 1 limbs, n <= PI_TABLE_LIMBS. */
+#define PI_TABLE_LIMBS 42
+void ball_pi_limbs(limb_t *p, size_t n);
 
 /* ---- thin numbers: +- w 2^e, compared exactly ---- */
 

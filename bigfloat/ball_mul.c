@@ -1,5 +1,6 @@
-/* ball_mul.c: products.  |xy - m n| <= err_x |n| + (|m| + err_x) err_y in units of the product's last place. */
+/* ball_mul.c: products.  |xy - m n| <= |m| err_y + (|n| + err_y) err_x in units of the product's last place. */
 #include "ball.h"
+#include "ball_fixed.h"
 #include "ball_internal.h"
 
 /* A bound err 2^k for the product's error; the words are < 2^30 (2^31 + 2), their sum < 2^62 + 2^33. */
@@ -7,12 +8,33 @@ static limb_t product_error(int64_t *k, const ball *x, const ball *y)
 {
     limb_t u, v;
     int64_t i, j;
-    ball_magnitude_word(&u, &i, x);
+    ball_mantissa_word(&u, &i, x);
     ball_magnitude_word(&v, &j, y);
     return ball_error_sum(k, u * y->error, y->error ? i : 0, v * x->error, x->error ? j : 0);
 }
 
-void ball_mul(ball *z, const ball *x, const ball *y, long prec)
+FIXED_INLINE bool short_product(ball *z, const ball *x, const ball *y, long prec)
+{
+    int64_t room = ball_room_bits(prec);
+    switch (fixed_length(x, y, room)) {
+    case 1: return fixed_mul(z, x, y, (int)room, 1);
+    case 2: return fixed_mul(z, x, y, (int)room, 2);
+    case 3: return fixed_mul(z, x, y, (int)room, 3);
+    case 4: return fixed_mul(z, x, y, (int)room, 4);
+    default: return false;
+    }
+}
+
+#if LIMB_HAVE_ADX
+FIXED_BMI2 static bool mul_short_bmi2(ball *z, const ball *x, const ball *y, long prec)
+{
+    return short_product(z, x, y, prec);
+}
+#endif
+
+static bool mul_short(ball *z, const ball *x, const ball *y, long prec) { return short_product(z, x, y, prec); }
+
+static void mul_general(ball *z, const ball *x, const ball *y, long prec)
 {
     if (ball_is_special(x) || ball_is_special(y)) {
         ball_indeterminate_like(z, x, y);
@@ -34,6 +56,12 @@ void ball_mul(ball *z, const ball *x, const ball *y, long prec)
     else
         ball_no_memory(z);
     ball_scratch_free(&space);
+}
+
+void ball_mul(ball *z, const ball *x, const ball *y, long prec)
+{
+    if (!FIXED_BEST(mul_short)(z, x, y, prec))
+        mul_general(z, x, y, prec);
 }
 
 void ball_sqr(ball *z, const ball *x, long prec)
@@ -58,15 +86,64 @@ void ball_fma(ball *z, const ball *x, const ball *y, const ball *w, long prec)
     ball_clear(&t);
 }
 
-void ball_addmul(ball *z, const ball *x, const ball *y, long prec) { ball_fma(z, x, y, z, prec); }
+/* z = w +- x y by a rounded product, when the operands are inexact (its rounding is then of the size of their errors)
+   or the product came out exact; all of one length. */
+FIXED_INLINE bool accumulate_fixed(ball *z, const ball *x, const ball *y, bool flip, int room, const int n)
+{
+    ball t;
+    ball_init(&t);
+    return fixed_mul(&t, x, y, room, n) && (x->error | y->error || t.error == 0)
+           && fixed_add(z, z, &t, flip, room, n);
+}
 
-void ball_submul(ball *z, const ball *x, const ball *y, long prec)
+FIXED_INLINE bool accumulate_short(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    int64_t room = ball_room_bits(prec);
+    int n = fixed_length(x, y, room);
+    if (n == 0 || (z->size != n && z->size != -n))
+        return false;
+    switch (n) {
+    case 1: return accumulate_fixed(z, x, y, flip, (int)room, 1);
+    case 2: return accumulate_fixed(z, x, y, flip, (int)room, 2);
+    case 3: return accumulate_fixed(z, x, y, flip, (int)room, 3);
+    default: return accumulate_fixed(z, x, y, flip, (int)room, 4);
+    }
+}
+
+#if LIMB_HAVE_ADX
+FIXED_BMI2 static bool accumulate_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    return accumulate_short(z, x, y, flip, prec);
+}
+#endif
+
+static bool accumulate(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    return accumulate_short(z, x, y, flip, prec);
+}
+
+static void accumulate_general(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
     ball t;
     ball_init(&t);
     ball_mul(&t, x, y, BALL_MAX_PRECISION);
-    ball_sub(z, z, &t, prec);
+    if (flip)
+        ball_sub(z, z, &t, prec);
+    else
+        ball_add(z, z, &t, prec);
     ball_clear(&t);
+}
+
+void ball_addmul(ball *z, const ball *x, const ball *y, long prec)
+{
+    if (!FIXED_BEST(accumulate)(z, x, y, false, prec))
+        accumulate_general(z, x, y, false, prec);
+}
+
+void ball_submul(ball *z, const ball *x, const ball *y, long prec)
+{
+    if (!FIXED_BEST(accumulate)(z, x, y, true, prec))
+        accumulate_general(z, x, y, true, prec);
 }
 
 void ball_mul_si(ball *z, const ball *x, long v, long prec)
@@ -107,19 +184,4 @@ void ball_pow_si(ball *z, const ball *x, long n, long prec)
         ball_pow_ui(z, &t, 0 - (unsigned long)n, prec);
         ball_clear(&t);
     }
-}
-
-void ball_dot_strided(ball *z, const ball *x, long xstride, const ball *y, long ystride, size_t n, long prec)
-{
-    ball t;
-    ball_init(&t);
-    for (size_t i = 0; i < n; i++)
-        ball_addmul(&t, x + (long)i * xstride, y + (long)i * ystride, prec + 64);
-    ball_set_round(z, &t, prec);
-    ball_clear(&t);
-}
-
-void ball_dot(ball *z, const ball *x, const ball *y, size_t n, long prec)
-{
-    ball_dot_strided(z, x, 1, y, 1, n, prec);
 }

@@ -205,12 +205,30 @@ void grid_on_grid(grid *z, const grid *x, const grid *y, long g,
     grid_clear(&t);
 }
 
+#if LIMB_INT128
+/* All four endpoints below 2^126: sums fit a signed 128-bit word. */
+static inline bool are_short(const grid *x, const grid *y)
+{
+    return integer_is_short(&x->lower) && integer_is_short(&x->upper) && integer_is_short(&y->lower)
+           && integer_is_short(&y->upper);
+}
+#endif
+
 void grid_add(grid *z, const grid *x, const grid *y, long prec)
 {
     if (!grid_ready(x, prec) || !grid_ready(y, prec)) {
         grid_on_grid(z, x, y, prec, grid_add);
         return;
     }
+#if LIMB_INT128
+    if (are_short(x, y)) {
+        limb_signed_pair_t lower = integer_get_pair(&x->lower) + integer_get_pair(&y->lower);
+        integer_set_pair(&z->upper, integer_get_pair(&x->upper) + integer_get_pair(&y->upper));
+        integer_set_pair(&z->lower, lower);
+        grid_finish(z, prec, true);
+        return;
+    }
+#endif
     grid_finish(z, prec, integer_add(&z->lower, &x->lower, &y->lower) && integer_add(&z->upper, &x->upper, &y->upper));
 }
 
@@ -220,6 +238,15 @@ void grid_sub(grid *z, const grid *x, const grid *y, long prec)
         grid_on_grid(z, x, y, prec, grid_sub);
         return;
     }
+#if LIMB_INT128
+    if (are_short(x, y)) {
+        limb_signed_pair_t lower = integer_get_pair(&x->lower) - integer_get_pair(&y->upper);
+        integer_set_pair(&z->upper, integer_get_pair(&x->upper) - integer_get_pair(&y->lower));
+        integer_set_pair(&z->lower, lower);
+        grid_finish(z, prec, true);
+        return;
+    }
+#endif
     integer t;
     integer_init(&t);
     bool ok = integer_sub(&t, &x->lower, &y->upper) && integer_sub(&z->upper, &x->upper, &y->lower);

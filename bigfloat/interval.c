@@ -126,13 +126,21 @@ void interval_pi(interval *z, long prec)
     take_ball(z, &t);
 }
 
+/* Sines and cosines are in [-1, 1], whatever their enclosures. */
+static void take_sine(interval *z, ball *t)
+{
+    take_ball(z, t);
+    z->neg_lower = interval_min_(z->neg_lower, 1);
+    z->upper = interval_min_(z->upper, 1);
+}
+
 void interval_cos_pi(interval *z, const rational *r, long prec)
 {
     (void)prec;
     ball t;
     ball_init(&t);
     ball_cos_pi(&t, r, ENOUGH_BITS);
-    take_ball(z, &t);
+    take_sine(z, &t);
 }
 
 void interval_sin_pi(interval *z, const rational *r, long prec)
@@ -141,7 +149,7 @@ void interval_sin_pi(interval *z, const rational *r, long prec)
     ball t;
     ball_init(&t);
     ball_sin_pi(&t, r, ENOUGH_BITS);
-    take_ball(z, &t);
+    take_sine(z, &t);
 }
 
 /* ---- exact questions ---- */

@@ -203,11 +203,27 @@ void interval_mul_unbounded_(interval *z, const interval *x, const interval *y);
 
 /* x and y finite, so no product of endpoints is NaN (0 infinity is the only way to one).  With a = -inf x,
    b = sup x, c = -inf y, d = sup y: sup = max(a c, -a d, -b c, b d) and -inf = max(-a c, a d, b c, -b d). */
+#if INTERVAL_SSE2
+static inline void interval_mul(interval *z, const interval *x, const interval *y, long prec)
+{
+    (void)prec;
+    const __m128d minus = _mm_set1_pd(-0.0);
+    __m128d ab = _mm_loadu_pd(&x->neg_lower), cd = _mm_loadu_pd(&y->neg_lower), ba = _mm_shuffle_pd(ab, ab, 1);
+    __m128d cc = _mm_unpacklo_pd(cd, cd), dd = _mm_unpackhi_pd(cd, cd), sum = _mm_add_pd(ab, cd);
+    if (INTERVAL_UNLIKELY(!(_mm_cvtsd_f64(_mm_add_sd(sum, _mm_unpackhi_pd(sum, sum))) < HUGE_VAL))) {
+        interval_mul_unbounded_(z, x, y); /* some endpoint, or just the sum, is infinite */
+        return;
+    }
+    __m128d p = _mm_mul_pd(ab, dd), q = _mm_mul_pd(ba, cc);                                       /* ad bd, bc ac */
+    __m128d r = _mm_mul_pd(_mm_xor_pd(ab, minus), cc), s = _mm_mul_pd(_mm_xor_pd(ba, minus), dd); /* -ac -bc, -bd -ad */
+    _mm_storeu_pd(&z->neg_lower, _mm_max_pd(_mm_max_pd(p, q), _mm_max_pd(r, s)));
+}
+#else
 static inline void interval_mul(interval *z, const interval *x, const interval *y, long prec)
 {
     (void)prec;
     double a = x->neg_lower, b = x->upper, c = y->neg_lower, d = y->upper;
-    if (INTERVAL_UNLIKELY(!((a + b) + (c + d) < HUGE_VAL))) { /* some endpoint, or just the sum, is infinite */
+    if (INTERVAL_UNLIKELY(!((a + b) + (c + d) < HUGE_VAL))) {
         interval_mul_unbounded_(z, x, y);
         return;
     }
@@ -215,6 +231,7 @@ static inline void interval_mul(interval *z, const interval *x, const interval *
     double neg_lower = interval_max_(interval_max_(-a * c, -b * d), interval_max_(a * d, b * c));
     *z = interval_make_(neg_lower, upper);
 }
+#endif
 
 static inline void interval_addmul(interval *z, const interval *x, const interval *y, long prec)
 {

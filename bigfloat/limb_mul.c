@@ -5,33 +5,63 @@
 #include <stdlib.h>
 
 #include "limb.h"
+#include "limb_row.h"
 
 #define LIMB_KARATSUBA 28
 #define LIMB_KARATSUBA_SQUARE 44
 
+#if LIMB_HAVE_ADX
+static void multiply_adx(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb)
+{
+    z[na] = limb_mul_1_adx(z, a, na, b[0]);
+    for (size_t i = 1; i < nb; i++)
+        z[na + i] = limb_addmul_1_adx(z + i, a, na, b[i]);
+}
+#endif
+
 void limb_multiply_basecase(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb)
 {
+#if LIMB_HAVE_ADX
+    if (na >= 4 && limb_processor_has_adx()) {
+        multiply_adx(z, a, na, b, nb);
+        return;
+    }
+#endif
     z[na] = limb_mul_1(z, a, na, b[0]);
     for (size_t i = 1; i < nb; i++)
         z[na + i] = limb_addmul_1(z + i, a, na, b[i]);
 }
 
-/* Twice the products a[i] a[j], i < j, plus the squares on the diagonal. */
-void limb_square_basecase(limb_t *z, const limb_t *a, size_t n)
+/* z = sum of a[i] a[j] B^(i + j) over i < j */
+static void off_diagonal(limb_t *z, const limb_t *a, size_t n)
 {
     z[0] = 0;
-    if (n > 1) {
-        z[n] = limb_mul_1(z + 1, a + 1, n - 1, a[0]);
-        for (size_t i = 1; i + 1 < n; i++)
-            z[n + i] = limb_addmul_1(z + 2 * i + 1, a + i + 1, n - i - 1, a[i]);
-    }
     z[2 * n - 1] = 0;
-    limb_shift_left(z, z, 2 * n, 1);
-    limb_t carry = 0;
+    if (n == 1)
+        return;
+#if LIMB_HAVE_ADX
+    if (n >= 6 && limb_processor_has_adx()) {
+        z[n] = limb_mul_1_adx(z + 1, a + 1, n - 1, a[0]);
+        for (size_t i = 1; i + 1 < n; i++)
+            z[n + i] = limb_addmul_1_adx(z + 2 * i + 1, a + i + 1, n - i - 1, a[i]);
+        return;
+    }
+#endif
+    z[n] = limb_mul_1(z + 1, a + 1, n - 1, a[0]);
+    for (size_t i = 1; i + 1 < n; i++)
+        z[n + i] = limb_addmul_1(z + 2 * i + 1, a + i + 1, n - i - 1, a[i]);
+}
+
+/* Twice the products off the diagonal, plus the squares on it. */
+void limb_square_basecase(limb_t *z, const limb_t *a, size_t n)
+{
+    off_diagonal(z, a, n);
+    limb_t carry = 0, doubled = 0;
     for (size_t i = 0; i < n; i++) {
-        limb_t high, low = limb_mul(&high, a[i], a[i]);
-        z[2 * i] = limb_add(z[2 * i], low, &carry);
-        z[2 * i + 1] = limb_add(z[2 * i + 1], high, &carry);
+        limb_t high, low = limb_mul(&high, a[i], a[i]), u = z[2 * i], v = z[2 * i + 1];
+        z[2 * i] = limb_add(u << 1 | doubled, low, &carry);
+        z[2 * i + 1] = limb_add(v << 1 | u >> 63, high, &carry);
+        doubled = v >> 63;
     }
 }
 

@@ -3,7 +3,7 @@
 BIGFLOAT_SOURCES = \
   bigfloat/truth.h \
   \
-  bigfloat/limb.h \
+  bigfloat/limb.h bigfloat/limb_row.h \
   bigfloat/limb.c \
   bigfloat/limb_mul.c \
   bigfloat/limb_div.c \
@@ -21,15 +21,17 @@ BIGFLOAT_SOURCES = \
   \
   bigfloat/number_common.h bigfloat/number_array.h \
   \
-  bigfloat/ball.h bigfloat/ball_internal.h \
+  bigfloat/ball.h bigfloat/ball_internal.h bigfloat/ball_fixed.h \
   bigfloat/ball.c \
   bigfloat/ball_add.c \
   bigfloat/ball_mul.c \
+  bigfloat/ball_dot.c \
   bigfloat/ball_div.c \
   bigfloat/ball_compare.c \
   bigfloat/ball_sets.c \
   bigfloat/ball_convert.c \
   bigfloat/ball_pi.c \
+  bigfloat/ball_atan.c \
   bigfloat/ball_trig.c \
   bigfloat/trig_pi.h bigfloat/trig_pi.c \
   bigfloat/ball_text.c \

@@ -142,8 +142,8 @@ double spectral_radius_approx(const double *b, int n)
         for (size_t i = 0; i < size; i++)
             norm = fmax(norm, fabs(c[i]));
         if (norm == 0 || !isfinite(norm)) {
-            free(c);
-            return norm;
+            free(c); /* a late 0 is a Jordan block that cancelled to the last digit: what was divided out stands */
+            return norm == 0 && step > 10 ? exp(logarithm) : norm;
         }
         logarithm += share * log(norm);
         share /= 2;

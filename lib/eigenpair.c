@@ -136,9 +136,12 @@ static truth is_inside(const workspace *w, const number *radius)
     number minus;
     number_init(&minus);
     number_neg(&minus, radius);
-    for (int i = 0; i < w->n; i++)
+    for (int i = 0; i < w->n && inside != TRUTH_FALSE; i++) {
         if (number_less(&w->image[i], radius) != TRUTH_TRUE || number_less(&minus, &w->image[i]) != TRUTH_TRUE)
-            inside = number_lacks_memory(&w->image[i]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+            inside = TRUTH_UNKNOWN;
+        if (number_lacks_memory(&w->image[i]))
+            inside = TRUTH_FALSE;
+    }
     number_clear(&minus);
     return inside;
 }

@@ -42,11 +42,18 @@ static status complain_at(const reader *r, size_t at, const char *format, const 
     return diagnostic_set(r->complaint, r->line->line, r->line->column[at], format, what);
 }
 
+static void skip_blank(reader *r)
+{
+    if (r->line && r->at < r->line->length && r->line->text[r->at] == ' ')
+        r->at++;
+}
+
 /* "expected WHAT, found ..." at the current place. */
-static status expected(const reader *r, const char *what)
+static status expected(reader *r, const char *what)
 {
     size_t length;
     const char *start;
+    skip_blank(r);
     if (!r->line)
         return diagnostic_set(r->complaint, r->source->last_line + 1, 1, "expected %s, but the file ends", what);
     if (r->at >= r->line->length)
@@ -55,12 +62,6 @@ static status expected(const reader *r, const char *what)
     length = strcspn(start, " \n");
     return diagnostic_set(r->complaint, r->line->line, r->line->column[r->at], "expected %s, found '%.*s'", what,
                           (int)(length > 40 ? 40 : length), start);
-}
-
-static void skip_blank(reader *r)
-{
-    if (r->line && r->at < r->line->length && r->line->text[r->at] == ' ')
-        r->at++;
 }
 
 /* Is the next word this one?  Then steps over it. */

@@ -6,21 +6,85 @@ BIGFLOAT_TESTS = \
   tests/bigfloat/t-ball \
   tests/bigfloat/t-trig \
   tests/bigfloat/t-interval \
-  tests/bigfloat/t-grid
+  tests/bigfloat/t-grid \
+  tests/bigfloat/exhaustive-ball \
+  tests/bigfloat/exhaustive-grid \
+  tests/bigfloat/exhaustive-interval \
+  tests/bigfloat/identities
 
 # These compare with MPFR and FLINT, or skip where there is none.
-ORACLE_TESTS =
+ORACLE_TESTS = \
+  tests/bigfloat/oracle-gmp \
+  tests/bigfloat/oracle-mpfr \
+  tests/bigfloat/oracle-arb
+tests_bigfloat_oracle_gmp_LDADD = $(LINK_ORACLE)
+tests_bigfloat_oracle_mpfr_LDADD = $(LINK_ORACLE)
+tests_bigfloat_oracle_arb_LDADD = $(LINK_ORACLE)
 
-LIB_TESTS =
+LIB_TESTS = \
+  tests/lib/t-formula \
+  tests/lib/t-laurent \
+  tests/lib/t-scheme \
+  tests/lib/t-element \
+  tests/lib/t-eigen_approx
+tests_lib_t_formula_LDADD = $(LINK_LIB)
+tests_lib_t_laurent_LDADD = $(LINK_LIB)
+tests_lib_t_scheme_LDADD = $(LINK_LIB)
+tests_lib_t_element_LDADD = $(LINK_LIB)
+tests_lib_t_eigen_approx_LDADD = $(LINK_LIB)
 
-VERIFY_TESTS =
+VERIFY_TESTS = \
+  tests/verify/t-sha256 \
+  tests/verify/t-tree \
+  tests/verify/t-valences \
+  tests/verify/t-certificate \
+  tests/verify/t-prove
+tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
+tests_verify_t_tree_LDADD = $(LINK_VERIFY)
+tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 
-SCRIPT_TESTS =
+# Like the checker, its test sees nothing of ours.
+CHECK_TESTS = \
+  tests/check/t-check-units
+tests_check_t_check_units_CPPFLAGS =
+tests_check_t_check_units_LDADD =
 
-ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(SCRIPT_TESTS)
+# One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
+GENERIC_TESTS = \
+  tests/lib/t-formula_value \
+  tests/lib/t-block \
+  tests/lib/t-spectrum \
+  tests/lib/t-eigenpair \
+  tests/lib/t-charnet
 
-check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS)
-EXTRA_DIST += tests/run-tests $(SCRIPT_TESTS)
+SCRIPT_TESTS = \
+  tests/check/t-check-program.sh \
+  tests/certificates/accept.sh \
+  tests/certificates/reject.sh \
+  tests/certificates/cut.sh \
+  tests/certificates/mutate.sh \
+  tests/certificates/usage.sh \
+  tests/verify/cli.sh
+
+# Files that tests read.
+EXTRA_DIST += \
+  tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
+  tests/check/butterfly.scheme tests/check/butterfly-5.cert \
+  tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
+  tests/certificates/schemes \
+  tests/certificates/accept \
+  tests/certificates/reject
+
+ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
+
+ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
+  $(CHECK_TESTS) $(SCRIPT_TESTS)
+
+check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
+EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
+CLEANFILES += $(ALL_GENERIC_TESTS)
 
 # What tests share.
 EXTRA_LIBRARIES = libharness.a
@@ -29,23 +93,38 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
 LINK_ORACLE = libharness.a $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)
 LINK_LIB = libharness.a $(LIB_LIBS)
 LINK_VERIFY = libharness.a $(VERIFY_LIBS)
 
+# A change of a header of ours shows as a change of its library.
+GENERIC_TEST_NEEDS = $(TEST_COMMON) libharness.a libbigfloat.a libscheme.a libverify.a $(GENERIC_LIBS)
+BUILD_GENERIC_TEST = $(AM_V_CCLD)$(MKDIR_P) $(@D) && $(CC) $(DEFS) $(AM_CPPFLAGS) $(CPPFLAGS) \
+  $(AM_CFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $<
+tests/lib/%: LINK_GENERIC_TEST = $(LINK_LIB)
+tests/verify/%: LINK_GENERIC_TEST = $(LINK_VERIFY)
+tests/%-interval: tests/%.c $(GENERIC_TEST_NEEDS)
+	$(BUILD_GENERIC_TEST) -DNUMBER_INTERVAL $(LINK_GENERIC_TEST)
+tests/%-ball: tests/%.c $(GENERIC_TEST_NEEDS)
+	$(BUILD_GENERIC_TEST) -DNUMBER_BALL $(LINK_GENERIC_TEST)
+tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
+	$(BUILD_GENERIC_TEST) -DNUMBER_GRID $(LINK_GENERIC_TEST)
+
 # make check TESTS="ball lib" runs only those whose name or folder is named. TESTS itself is not set
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local:
+check-local: $(ALL_GENERIC_TESTS)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
-	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS)
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS)
 
 # Random tests for longer: each test draws until its time is up.
 SECONDS_PER_TEST = 60

@@ -284,8 +284,60 @@ static void test_questions(void)
     test_end();
 }
 
+static void test_dot(void)
+{
+    test_begin("ball-dot");
+    for (test_cases(3000); test_next();) {
+        ball x[20], z, t;
+        rational p, q, sum;
+        ball_init(&z), ball_init(&t);
+        rational_init(&p), rational_init(&q), rational_init(&sum);
+        size_t n = (size_t)random_below(11), m = random_below(10) ? 4 : random_below(4) ? 12 : 50;
+        long spread = random_bool() ? 0 : 300;
+        bool exact = random_below(4) == 0;
+        for (size_t i = 0; i < 20; i++) {
+            ball_init(&x[i]);
+            if (i >= 2 * n)
+                continue;
+            random_ball(&x[i], m);
+            if (exact)
+                ball_midpoint(&x[i], &x[i], 10000);
+            ball_mul_2exp(&x[i], &x[i], random_range(-spread, spread), 10000);
+        }
+        if (n > 2 && random_bool()) { /* cancellation */
+            ball_set(&x[2], &x[0]);
+            ball_neg(&x[3], &x[1]);
+        }
+        for (size_t i = 0; i < n; i++) {
+            random_point_ball(&p, &x[2 * i]);
+            random_point_ball(&q, &x[2 * i + 1]);
+            MUST(rational_mul(&p, &p, &q));
+            MUST(rational_add(&sum, &sum, &p));
+        }
+        long prec = random_precision(400);
+        ball_dot_strided(&z, x, 2, x + 1, 2, n, prec);
+        CHECK(!n || ball_is_finite(&z), "finite");
+        CHECK(ball_contains_rational(&z, &sum), "dot of %zu terms", n);
+        if (exact && m < 50) {
+            CHECK(ball_is_thin(&z) || z.error <= n + 1, "error of an exact dot product: %llu", (unsigned long long)z.error);
+            ball_dot_strided(&t, x, 2, x + 1, 2, n, 4600);
+            ball_set_round(&t, &t, prec);
+            CHECK(!ball_is_thin(&t) || ball_accuracy_bits_approx(&z) >= prec - 2 || ball_contains_zero(&z) || n > 2, "poor");
+        }
+        ball_set(&t, &x[1]);
+        ball_dot_strided(&x[0], x, 2, x + 1, 2, n, prec);
+        CHECK(ball_identical(&x[0], &z), "alias");
+        for (size_t i = 0; i < 20; i++)
+            ball_clear(&x[i]);
+        ball_clear(&z), ball_clear(&t);
+        rational_clear(&p), rational_clear(&q), rational_clear(&sum);
+    }
+    test_end();
+}
+
 int main(void)
 {
+    test_dot();
     test_add();
     test_sub();
     test_mul();

@@ -33,6 +33,22 @@ static void test_pi(void)
     test_end();
 }
 
+/* The table of pi against Machin's series, which serves precisions beyond it. */
+static void test_table(void)
+{
+    test_begin("trig-pi-table");
+    ball x, y;
+    ball_init(&x), ball_init(&y);
+    ball_pi(&y, 4000);
+    for (long prec = 64; prec < 2700; prec += 64) {
+        ball_pi(&x, prec);
+        CHECK(ball_contains(&x, &y), "pi at %ld bits", prec);
+        CHECK(x.error <= 2, "pi at %ld bits: error %d", prec, (int)x.error);
+    }
+    ball_clear(&x), ball_clear(&y);
+    test_end();
+}
+
 static void test_cos_pi(void)
 {
     test_begin("trig-cos-pi");
@@ -75,7 +91,7 @@ static void test_cos_pi(void)
         interval x;
         interval_cos_pi(&x, &r, 0);
         ball_set_interval(&c, &x, 64);
-        CHECK(ball_overlaps(&c, &t) && x.upper <= nextafter(-x.neg_lower, 2), "interval");
+        CHECK(ball_overlaps(&c, &t) && x.upper <= nextafter(nextafter(-x.neg_lower, 2), 2), "interval");
         ball_clear(&c), ball_clear(&s), ball_clear(&t), ball_clear(&one);
         rational_clear(&r), rational_clear(&q);
     }
@@ -137,9 +153,47 @@ static void test_sin_cos(void)
     test_end();
 }
 
+/* Identities at high precision, and arguments next to multiples of pi/2. */
+static void test_high_precision(void)
+{
+    test_begin("trig-high-precision");
+    for (test_cases(60); test_next();) {
+        ball x, s, c, t, one;
+        rational q;
+        ball_init(&x), ball_init(&s), ball_init(&c), ball_init(&t), ball_init(&one);
+        rational_init(&q);
+        long prec = random_below(4) ? random_range(64, 3000) : 10000;
+        if (random_bool()) { /* near q pi / 2 */
+            ball_pi(&x, random_bool() ? 100 : prec);
+            ball_midpoint(&x, &x, prec);
+            ball_mul_si(&x, &x, random_range(-1000, 1000), 20000);
+            ball_mul_2exp(&x, &x, -1, 20000);
+        } else {
+            random_rational(&q, 2);
+            ball_set_rational(&x, &q, prec);
+            ball_midpoint(&x, &x, prec);
+        }
+        ball_sin_cos(&s, &c, &x, prec);
+        CHECK(x.size == 0 || (ball_accuracy_bits_approx(&s) >= prec - 4 && ball_accuracy_bits_approx(&c) >= prec - 4), "accuracy %ld %ld at %ld",
+              ball_accuracy_bits_approx(&s), ball_accuracy_bits_approx(&c), prec);
+        ball_sqr(&t, &c, prec), ball_addmul(&t, &s, &s, prec);
+        ball_one(&one);
+        CHECK(ball_contains(&t, &one) && ball_accuracy_bits_approx(&t) >= prec - 8, "c^2 + s^2 at %ld bits", prec);
+        /* sin 2x = 2 s c */
+        ball_mul_2exp(&x, &x, 1, prec), ball_mul(&t, &s, &c, prec), ball_mul_2exp(&t, &t, 1, prec);
+        ball_sin(&s, &x, prec);
+        CHECK(ball_overlaps(&s, &t), "sin 2x at %ld bits", prec);
+        ball_clear(&x), ball_clear(&s), ball_clear(&c), ball_clear(&t), ball_clear(&one);
+        rational_clear(&q);
+    }
+    test_end();
+}
+
 int main(void)
 {
+    test_high_precision();
     test_pi();
+    test_table();
     test_niven();
     test_cos_pi();
     test_sin_cos();

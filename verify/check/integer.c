@@ -171,11 +171,6 @@ long integer_bits(const integer *a)
     return bits;
 }
 
-bool integer_is_odd(const integer *a)
-{
-    return a->length > 0 && (a->limb[0] & 1u) != 0;
-}
-
 bool integer_get_small(int64_t *out, const integer *a, int64_t bound)
 {
     uint64_t magnitude = 0;

@@ -43,8 +43,6 @@ int integer_compare(const integer *a, const integer *b);
 /* Bits of the magnitude: 2^(bits-1) <= |a| < 2^bits; 0 for 0. */
 long integer_bits(const integer *a);
 
-bool integer_is_odd(const integer *a);
-
 /* a, if it lies in [-bound, bound]; else false. */
 bool integer_get_small(int64_t *out, const integer *a, int64_t bound);
 
