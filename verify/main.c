@@ -9,6 +9,7 @@
 #include "command.h"
 
 #include <errno.h>
+#include <fenv.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -47,6 +48,7 @@ int finish_output(int exit_status)
 
 int main(int argc, char **argv)
 {
+    fesetround(FE_TONEAREST); /* printing relies on it, whatever mode was inherited */
     if (argc < 2)
         return complain(EXIT_USAGE, "no command given; 'smoothcert --help' lists them");
     if (!strcmp(argv[1], "--help")) {
