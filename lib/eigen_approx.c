@@ -2,6 +2,7 @@
 #include "eigen_approx.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -73,17 +74,17 @@ static bool invert(double *inverse, double *a, int n)
     return true;
 }
 
-bool matrix_inverse_approx(double *inverse, const double *a, int n)
+truth matrix_inverse_approx(double *inverse, const double *a, int n)
 {
     size_t size = (size_t)n * (size_t)n * sizeof *a;
     double *work = malloc(size);
-    bool ok = false;
-    if (work) {
-        memcpy(work, a, size);
-        ok = invert(inverse, work, n);
-    }
+    bool ok;
+    if (!work)
+        return TRUTH_FALSE;
+    memcpy(work, a, size);
+    ok = invert(inverse, work, n);
     free(work);
-    return ok;
+    return ok ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
 /* One step of inverse iteration with a shift close to the eigenvalue: x and the eigenvalue improve. */
@@ -105,12 +106,14 @@ static bool sharpen(double *eigenvalue, double *x, double *y, double *shifted, d
     return true;
 }
 
-bool eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const double *b, int n)
+truth eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const double *b, int n)
 {
     size_t square = (size_t)n * (size_t)n;
     double *work = malloc((2 * square + (size_t)n) * sizeof *work);
     double *y = work;
-    bool ok = work != NULL;
+    bool ok = true;
+    if (!work)
+        return TRUTH_FALSE;
     for (int i = 0; ok && i < n; i++)
         x[i] = 1 + 0.37 * i / n; /* a vector in no special position */
     for (int step = 0; ok && step < POWER_STEPS; step++) {
@@ -125,7 +128,7 @@ bool eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const doub
     if (ok)
         *pivot = largest(x, n);
     free(work);
-    return ok && isfinite(*eigenvalue);
+    return ok && isfinite(*eigenvalue) ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }
 
 /* c^(2^40), scaled to norm 1 after every squaring: what was divided out is the spectral radius. */

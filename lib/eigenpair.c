@@ -168,16 +168,19 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
 
 /* ---- the search ---- */
 
-/* approximation = the eigenpair that doubles find; inverse = roughly the inverse of F' there, on its grid. */
-static bool start(workspace *w, double *work, eigenpair_choice *choice, long prec)
+/* approximation = the eigenpair that doubles find; inverse = roughly the inverse of F' there, on its grid.
+   TRUTH_UNKNOWN: they find none.  TRUTH_FALSE: no memory. */
+static truth start(workspace *w, double *work, eigenpair_choice *choice, long prec)
 {
     int n = w->n;
     size_t square = (size_t)n * (size_t)n;
     double *b = work, *inverse = work + square, *x = work + 2 * square, eigenvalue;
+    truth found;
     for (int i = 0; i < n * n; i++)
         b[i] = number_mid_approx(&w->b[i]);
-    if (!eigen_dominant_approx(&eigenvalue, x, &w->pivot, b, n))
-        return false;
+    found = eigen_dominant_approx(&eigenvalue, x, &w->pivot, b, n);
+    if (found != TRUTH_TRUE)
+        return found;
     choice->pivot = w->pivot;
     for (int j = 0; j < n; j++)
         number_set_double(&w->approximation[j], x[j], prec);
@@ -186,15 +189,18 @@ static bool start(workspace *w, double *work, eigenpair_choice *choice, long pre
     differentiate(w, w->approximation, prec);
     for (int i = 0; i < n * n; i++)
         b[i] = number_mid_approx(&w->derivative[i]);
-    if (!matrix_inverse_approx(inverse, b, n))
-        return false;
+    found = matrix_inverse_approx(inverse, b, n);
+    if (found != TRUTH_TRUE)
+        return found;
     for (int i = 0; i < n * n; i++) {
         number_set_double(&w->inverse[i], inverse[i], prec);
-        if (!(fabs(inverse[i]) < 0x1p60) || !number_mid_grid(&choice->inverse[i], &w->inverse[i], EIGENPAIR_INVERSE_BITS))
-            return false;
+        if (!(fabs(inverse[i]) < 0x1p60))
+            return TRUTH_UNKNOWN;
+        if (!number_mid_grid(&choice->inverse[i], &w->inverse[i], EIGENPAIR_INVERSE_BITS))
+            return TRUTH_FALSE;
         number_set_integer_2exp(&w->inverse[i], &choice->inverse[i], -EIGENPAIR_INVERSE_BITS, prec);
     }
-    return true;
+    return TRUTH_TRUE;
 }
 
 /* approximation -= Y F(approximation), about 30 bits better each time; returns the size of the step. */
@@ -260,8 +266,8 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, long g, long
     truth found = TRUTH_FALSE;
     bool made = workspace_make(&w, b, n, 0);
     if (made && work && eigenpair_choice_make(z, n, g)) {
-        found = TRUTH_UNKNOWN;
-        if (start(&w, work, z, prec)) {
+        found = start(&w, work, z, prec);
+        if (found == TRUTH_TRUE) {
             double step = 1, last;
             do {
                 last = step;

@@ -45,6 +45,16 @@ static void free_levels(run *r)
         }
 }
 
+outcome adaptive_sign(double *margin, const number *x)
+{
+    *margin = number_lower_bound(x);
+    if (number_lacks_memory(x))
+        return OUTCOME_NO_MEMORY;
+    if (number_is_positive(x) == TRUTH_TRUE)
+        return OUTCOME_TRUE;
+    return number_is_negative(x) == TRUTH_TRUE ? OUTCOME_FALSE : OUTCOME_UNDEFINED;
+}
+
 /* box = the hull of the values, widened by the radius. */
 static void hull(number *box, const number *value, int count, const number *radius, long prec)
 {
@@ -54,7 +64,7 @@ static void hull(number *box, const number *value, int count, const number *radi
     number_add_error(box, box, radius, prec);
 }
 
-static truth decide(run *r, element_type type, int level, double *margin)
+static outcome decide(run *r, element_type type, int level, double *margin)
 {
     const adaptive_task *task = r->task;
     for (int i = 0; i < task->nets; i++) {
@@ -95,15 +105,6 @@ static outcome split(run *r, element_type type, int level)
     return OUTCOME_TRUE;
 }
 
-/* A box that lacks memory decides nothing: then the whole run says so. */
-static bool lacks_memory(const run *r)
-{
-    for (int i = 0; i < r->task->nets; i++)
-        if (number_lacks_memory(&r->box[i].x) || number_lacks_memory(&r->box[i].y))
-            return true;
-    return false;
-}
-
 static outcome leaf(run *r, double margin)
 {
     r->report->margin = fmin(r->report->margin, margin);
@@ -113,11 +114,11 @@ static outcome leaf(run *r, double margin)
 static outcome follow(run *r, element_type type, int level)
 {
     double margin = -INFINITY;
+    outcome o;
     switch (tree_get(r->word)) {
     case '0':
-        if (decide(r, type, level, &margin) == TRUTH_TRUE)
-            return leaf(r, margin);
-        return lacks_memory(r) ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
+        o = decide(r, type, level, &margin);
+        return o == OUTCOME_TRUE ? leaf(r, margin) : o == OUTCOME_NO_MEMORY ? o : OUTCOME_FALSE;
     case '1':
         return level < TREE_MAX_DEPTH ? split(r, type, level) : OUTCOME_FALSE;
     default:
@@ -128,16 +129,14 @@ static outcome follow(run *r, element_type type, int level)
 static outcome search(run *r, element_type type, int level)
 {
     double margin = -INFINITY;
-    truth t = decide(r, type, level, &margin);
-    if (t == TRUTH_UNKNOWN && lacks_memory(r))
-        return OUTCOME_NO_MEMORY;
-    if (t == TRUTH_FALSE)
-        return OUTCOME_FALSE;
+    outcome o = decide(r, type, level, &margin);
+    if (o == OUTCOME_NO_MEMORY || o == OUTCOME_FALSE)
+        return o;
     if (r->word->length >= TREE_MAX_LETTERS / 2)
         return OUTCOME_UNDEFINED;
-    if (!tree_put(r->word, t == TRUTH_TRUE ? '0' : '1'))
+    if (!tree_put(r->word, o == OUTCOME_TRUE ? '0' : '1'))
         return OUTCOME_NO_MEMORY;
-    if (t == TRUTH_TRUE)
+    if (o == OUTCOME_TRUE)
         return leaf(r, margin);
     return level < r->task->max_level ? split(r, type, level) : OUTCOME_UNDEFINED;
 }

@@ -18,9 +18,14 @@ typedef struct {
     number x, y;
 } adaptive_box;
 
-/* Decides an element from the boxes of its nets.  TRUTH_TRUE: the property wanted holds on it.  TRUTH_FALSE: its
-   opposite holds on it.  *margin, a lower bound of the quantity that must be positive, may be -infinity. */
-typedef truth (*adaptive_decision)(double *margin, const adaptive_box *box, const void *data, long prec);
+/* Decides an element from the boxes of its nets.  OUTCOME_TRUE: the property wanted holds on it.  OUTCOME_FALSE: its
+   opposite holds on it.  OUTCOME_UNDEFINED: the boxes leave it open.  *margin, a lower bound of the quantity that
+   must be positive, may be -infinity. */
+typedef outcome (*adaptive_decision)(double *margin, const adaptive_box *box, const void *data, long prec);
+
+#define adaptive_sign NUMBER_NAME(adaptive_sign)
+/* The decision whose property is x > 0, and its margin. */
+outcome adaptive_sign(double *margin, const number *x);
 
 enum { ADAPTIVE_MAX_NETS = 2 };
 

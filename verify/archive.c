@@ -95,8 +95,10 @@ archive_status archive_open(archive *z, const char *path, const scheme *s)
     if (mkdir(path, 0777) != 0 && errno != EEXIST)
         return ARCHIVE_IO_ERROR;
     z->path = malloc(strlen(path) + 1);
-    if (!z->path)
+    if (!z->path) {
+        errno = ENOMEM;
         return ARCHIVE_IO_ERROR;
+    }
     strcpy(z->path, path);
     file = path_of(z, SCHEME_FILE);
     if (!file)
@@ -144,6 +146,8 @@ archive_status archive_keep(archive *z, char **certificate, const decision *d)
     buffer_init(&text);
     write_log(&text, d);
     snprintf(name, sizeof name, "valence-%ld.log", d->valence);
+    if (text.failed)
+        errno = ENOMEM;
     ok = !text.failed && store(z, name, text.bytes, text.length);
     buffer_clear(&text);
     snprintf(name, sizeof name, "valence-%ld.cert", d->valence);

@@ -156,7 +156,7 @@ static int open_archive(prove_run *r)
     case ARCHIVE_OTHER_SCHEME:
         return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
     default:
-        return complain(EXIT_IO, "%s: %s", path, strerror(errno));
+        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
     }
 }
 
@@ -213,10 +213,10 @@ static int decide_all(prove_run *r)
         }
         kept = archive_keep(&r->archive, &certificate, &d);
         if (kept != ARCHIVE_OK) {
-            complain(EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d.valence, strerror(errno));
+            int lost = complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d.valence, strerror(errno));
             free(certificate);
             decision_clear(&d);
-            return EXIT_IO;
+            return lost;
         }
         print_decision(r, &d, certificate);
         if (d.verdict != VERDICT_PROVED)
@@ -256,10 +256,9 @@ int command_prove(int argc, char **argv)
         return result;
     scheme_init(&r.scheme);
     problem_init(&r.problem);
-    r.valences = (valences){NULL, 0};
+    r.valences.count = 0;
     archive_init(&r.archive);
     result = prove(&r);
-    valences_clear(&r.valences);
     archive_clear(&r.archive);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);

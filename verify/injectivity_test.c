@@ -8,23 +8,20 @@
 #define NORMAL_SCALE 0x1p20
 
 /* data: the normal, two longs.  Is normal * F > 0 on the box? */
-static truth lies_in_half_plane(double *margin, const adaptive_box *box, const void *data, long prec)
+static outcome lies_in_half_plane(double *margin, const adaptive_box *box, const void *data, long prec)
 {
     const long *normal = data;
-    truth t;
+    outcome o;
     number s, p;
     number_init(&s);
     number_init(&p);
     number_mul_si(&s, &box[0].x, normal[0], prec);
     number_mul_si(&p, &box[0].y, normal[1], prec);
     number_add(&s, &s, &p, prec);
-    *margin = number_lower_bound(&s);
-    t = number_is_positive(&s);
-    if (t == TRUTH_FALSE && number_is_negative(&s) != TRUTH_TRUE)
-        t = TRUTH_UNKNOWN;
+    o = adaptive_sign(margin, &s);
     number_clear(&s);
     number_clear(&p);
-    return t;
+    return o;
 }
 
 /* The bisector of the directions in which the sector's two spokes are mapped. */

@@ -2,20 +2,17 @@
 #include "tests.h"
 
 /* J = x1 y2 - y1 x2 for all derivatives (x1, y1), (x2, y2) in the two boxes. */
-static truth jacobian_is_positive(double *margin, const adaptive_box *box, const void *data, long prec)
+static outcome jacobian_is_positive(double *margin, const adaptive_box *box, const void *data, long prec)
 {
-    truth t;
+    outcome o;
     number j;
     (void)data;
     number_init(&j);
     number_mul(&j, &box[0].x, &box[1].y, prec);
     number_submul(&j, &box[0].y, &box[1].x, prec);
-    *margin = number_lower_bound(&j);
-    t = number_is_positive(&j);
-    if (t == TRUTH_FALSE && number_is_negative(&j) != TRUTH_TRUE)
-        t = TRUTH_UNKNOWN;
+    o = adaptive_sign(margin, &j);
     number_clear(&j);
-    return t;
+    return o;
 }
 
 outcome test_regularity(analysis *a)

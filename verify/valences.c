@@ -1,17 +1,7 @@
 /* valences.c: ranges and single valences, sorted by marking. */
 #include "valences.h"
 
-#include "choices.h"
-
-#include <stdlib.h>
-#include <string.h>
-
-void valences_clear(valences *z)
-{
-    free(z->valence);
-    z->valence = NULL;
-    z->count = 0;
-}
+#include <stdbool.h>
 
 /* Reads digits; NULL if there are none. */
 static const char *read_number(long *value, const char *p)
@@ -54,13 +44,9 @@ const char *valences_read(valences *z, const char *text)
 {
     bool wanted[CHOICES_MAX_VALENCE + 1] = {false};
     const char *complaint = mark(wanted, text);
-    z->valence = NULL;
     z->count = 0;
     if (complaint)
         return complaint;
-    z->valence = malloc((CHOICES_MAX_VALENCE + 1) * sizeof *z->valence);
-    if (!z->valence)
-        return "no memory";
     for (long k = CHOICES_MIN_VALENCE; k <= CHOICES_MAX_VALENCE; k++)
         if (wanted[k])
             z->valence[z->count++] = k;

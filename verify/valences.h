@@ -2,18 +2,17 @@
 #ifndef VERIFY_VALENCES_H
 #define VERIFY_VALENCES_H
 
-#include <stdbool.h>
+#include "choices.h"
+
 #include <stddef.h>
 
 typedef struct {
-    long *valence; /* increasing, each once */
+    long valence[CHOICES_MAX_VALENCE]; /* increasing, each once */
     size_t count;
 } valences;
 
-void valences_clear(valences *z);
-
 /* Reads a list of valences between CHOICES_MIN_VALENCE and CHOICES_MAX_VALENCE.  NULL: well; else what is wrong (a
-   sentence; static storage), and z is empty. */
+   sentence; static storage), and z is empty.  Allocates nothing. */
 const char *valences_read(valences *z, const char *text);
 
 #endif

@@ -268,6 +268,16 @@ static void test_questions(void)
         }
         if (y.size == 0 && y.error == 0)
             y.exponent = 0;
+        if (random_below(3) == 0) { /* neighbours: y is x moved by about the errors */
+            integer m;
+            integer_init(&m);
+            random_integer(&m, 1);
+            MUST(integer_mul_2exp(&m, &m, random_below(30)));
+            ball_set_parts(&x, &m, random_below((uint64_t)1 << random_range(1, BALL_ERROR_BITS)), 0);
+            MUST(integer_add_si(&m, &m, random_range(-2, 2) * (long)(x.error / 2 + 1) + random_range(-2, 2)));
+            ball_set_parts(&y, &m, random_below((uint64_t)1 << random_range(1, BALL_ERROR_BITS)), 0);
+            integer_clear(&m);
+        }
         endpoints(&a, &b, &x), endpoints(&c, &d, &y);
         CHECK(ball_less(&x, &y) == (rational_cmp(&b, &c) < 0 ? TRUTH_TRUE : rational_cmp(&a, &d) >= 0 ? TRUTH_FALSE : TRUTH_UNKNOWN), "less");
         CHECK(ball_contains(&x, &y) == (rational_cmp(&a, &c) <= 0 && rational_cmp(&d, &b) <= 0), "contains");
@@ -335,8 +345,96 @@ static void test_dot(void)
     test_end();
 }
 
+/* Two mantissas of n full limbs at precision 64 n: sums that carry, errors at their limit, exact operands. */
+static void test_full_lengths(void)
+{
+    test_begin("ball-full-lengths");
+    for (test_cases(20000); test_next();) {
+        size_t n = (size_t)random_range(1, 8);
+        uint64_t limb[8];
+        ball x[2], z;
+        rational p, q;
+        ball_init(&z);
+        rational_init(&p), rational_init(&q);
+        bool sign = random_bool();
+        for (int i = 0; i < 2; i++) {
+            integer m;
+            integer_init(&m);
+            ball_init(&x[i]);
+            random_limbs(limb, n);
+            limb[n - 1] |= random_below(4) ? (uint64_t)1 << 63 : 1;
+            MUST(integer_set_limbs(&m, limb, n, random_below(4) ? sign : !sign));
+            ball_set_parts(&x[i], &m, random_below(3) ? random_below(4) : ((uint64_t)1 << BALL_ERROR_BITS) - 1 - random_below(4),
+                           random_below(3) ? 0 : random_range(-66, 66));
+            integer_clear(&m);
+        }
+        random_point_ball(&p, &x[0]), random_point_ball(&q, &x[1]);
+        long prec = 64 * (long)n;
+        MUST(rational_mul(&q, &q, &p));
+        ball_mul(&z, &x[0], &x[1], prec);
+        CHECK(ball_contains_rational(&z, &q), "mul");
+        if (!rational_is_zero(&p)) {
+            MUST(rational_div(&q, &q, &p));
+            MUST(rational_add(&q, &q, &p));
+            ball_add(&z, &x[0], &x[1], prec);
+            CHECK(ball_contains_rational(&z, &q), "add");
+            MUST(rational_sub(&q, &q, &p));
+            MUST(rational_sub(&q, &p, &q));
+            ball_sub(&z, &x[0], &x[1], prec);
+            CHECK(ball_contains_rational(&z, &q), "sub");
+        }
+        ball_clear(&x[0]), ball_clear(&x[1]), ball_clear(&z);
+        rational_clear(&p), rational_clear(&q);
+    }
+    test_end();
+}
+
+/* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel, and an inexact term far below. */
+static void test_dot_cancellation(void)
+{
+    test_begin("ball-dot-cancellation");
+    for (test_cases(500); test_next();) {
+        size_t n = (size_t)random_range(1, 6);
+        uint64_t limb[6];
+        integer h, one;
+        ball x[3], y[3], z;
+        rational sum, p, q;
+        integer_init(&h), integer_init(&one);
+        integer_set_si(&one, 1);
+        rational_init(&sum), rational_init(&p), rational_init(&q);
+        for (int i = 0; i < 3; i++)
+            ball_init(&x[i]), ball_init(&y[i]);
+        ball_init(&z);
+        random_limbs(limb, n);
+        limb[n - 1] |= (uint64_t)1 << 63;
+        limb[0] = (limb[0] | 2) & ~(uint64_t)8;
+        MUST(integer_set_limbs(&h, limb, n, false));
+        ball_set_parts(&x[1], &h, 0, 0);
+        ball_neg(&y[1], &x[1]);
+        MUST(integer_add(&h, &h, &one));
+        ball_set_parts(&x[0], &h, 0, 0);
+        MUST(integer_add_si(&h, &h, -2));
+        ball_set_parts(&y[0], &h, 0, 0);
+        ball_set_parts(&x[2], &h, 1, -1000), ball_set_parts(&y[2], &h, 0, -1000);
+        random_point_ball(&p, &x[2]), random_point_ball(&q, &y[2]);
+        MUST(rational_mul(&p, &p, &q));
+        MUST(rational_set_si(&sum, -1, 1));
+        MUST(rational_add(&sum, &sum, &p));
+        ball_dot(&z, x, y, 3, 64 * (long)n);
+        CHECK(ball_contains_rational(&z, &sum), "%zu limbs", n);
+        for (int i = 0; i < 3; i++)
+            ball_clear(&x[i]), ball_clear(&y[i]);
+        ball_clear(&z);
+        integer_clear(&h), integer_clear(&one);
+        rational_clear(&sum), rational_clear(&p), rational_clear(&q);
+    }
+    test_end();
+}
+
 int main(void)
 {
+    test_full_lengths();
+    test_dot_cancellation();
     test_dot();
     test_add();
     test_sub();

@@ -21,7 +21,7 @@ static void test_dominant(void)
         int pivot = -1;
         random_real_matrix(&m, (int)random_range(1, MATRIX_MAX));
         get_doubles(b, &m);
-        CHECK(eigen_dominant_approx(&eigenvalue, x, &pivot, b, m.n), "not found");
+        CHECK(eigen_dominant_approx(&eigenvalue, x, &pivot, b, m.n) == TRUTH_TRUE, "not found");
         CHECK(fabs(eigenvalue * (double)m.denominator - (double)m.d[0][0]) < 1e-6, "%g, not %ld", eigenvalue * (double)m.denominator, m.d[0][0]);
         CHECK(pivot >= 0 && pivot < m.n && x[pivot] == 1, "pivot");
         for (int i = 0; i < m.n && !test_failed(); i++)
@@ -64,7 +64,7 @@ static void test_inverse(void)
         double a[144], z[144];
         for (int i = 0; i < n * n; i++)
             a[i] = (double)random_range(-1000, 1000) / 1000;
-        if (!matrix_inverse_approx(z, a, n))
+        if (matrix_inverse_approx(z, a, n) != TRUTH_TRUE)
             continue;
         double size = 0, error = 0;
         for (int i = 0; i < n; i++)
@@ -77,8 +77,8 @@ static void test_inverse(void)
             }
         CHECK(error < 1e-10 * (1 + size), "n = %d: the product with the inverse is off by %g", n, error);
     }
-    CHECK(!matrix_inverse_approx((double[4]){0}, (double[]){1, 2, 2, 4}, 2), "a singular matrix");
-    CHECK(!matrix_inverse_approx((double[1]){0}, (double[]){0}, 1), "0");
+    CHECK(matrix_inverse_approx((double[4]){0}, (double[]){1, 2, 2, 4}, 2) != TRUTH_TRUE, "a singular matrix");
+    CHECK(matrix_inverse_approx((double[1]){0}, (double[]){0}, 1) != TRUTH_TRUE, "0");
     test_end();
 }
 

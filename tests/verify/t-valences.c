@@ -18,7 +18,6 @@ static void describe(char *text, size_t size, const char *list)
     }
     for (size_t i = 0; i < v.count && at < size; i++)
         at += (size_t)snprintf(text + at, size - at, i ? " %ld" : "%ld", v.valence[i]);
-    valences_clear(&v);
 }
 
 static void test_lists(void)
@@ -53,7 +52,6 @@ static void test_all(void)
     CHECK(v.count == CHOICES_MAX_VALENCE - CHOICES_MIN_VALENCE + 1, "3..4096 are %zu valences", v.count);
     for (size_t i = 0; i < v.count; i++)
         CHECK(v.valence[i] == CHOICES_MIN_VALENCE + (long)i, "valence %ld at place %zu", v.valence[i], i);
-    valences_clear(&v);
     test_end();
 }
 
