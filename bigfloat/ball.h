@@ -74,7 +74,9 @@ double ball_upper_bound(const ball *x);
 /* ---- for balls only ---- */
 
 void ball_set_round(ball *z, const ball *x, long prec);               /* x, cut to prec */
-void ball_fma(ball *z, const ball *x, const ball *y, const ball *w, long prec); /* x y + w */
+/* x y + w, rounded once.  (ball_addmul and ball_submul round the product first when that is quicker and the operands are
+   inexact anyway; exact operands are always treated exactly.) */
+void ball_fma(ball *z, const ball *x, const ball *y, const ball *w, long prec);
 /* The sum of x[i] y[i] for i < n, rounded once. */
 void ball_dot(ball *z, const ball *x, const ball *y, size_t n, long prec);
 /* The same where neighbours lie `xstride` and `ystride` balls apart. */
@@ -89,8 +91,8 @@ void ball_cos(ball *z, const ball *x, long prec);
 void ball_sin(ball *z, const ball *x, long prec);
 void ball_sin_cos(ball *s, ball *c, const ball *x, long prec); /* s and c different objects */
 void ball_atan(ball *z, const ball *x, long prec);
-/* The angle of the point (x, y) in (-pi, pi]; indeterminate if (0, 0) cannot be excluded; an enclosure that
-   passes pi if the negative axis is crossed. */
+/* The angle of the point (x, y), in (-pi, pi]; if the set of points crosses the negative axis, continued across it:
+   around pi, for points below the axis as well (their angle plus 2 pi).  Indeterminate if (0, 0) cannot be excluded. */
 void ball_atan2(ball *z, const ball *y, const ball *x, long prec);
 
 /* m, err and e as numbers; false = no memory or indeterminate.  The outputs may be NULL. */
@@ -104,7 +106,7 @@ bool ball_overlaps(const ball *x, const ball *y);
 
 /* ---- text: every string is malloc'ed, NULL = no memory ---- */
 
-/* ball_get_decimal: "0.53088 +/- 3.1e-17", with `digits` digits or fewer if the error has eaten the rest: every
+/* ball_get_decimal (declared above): "0.53088 +/- 3.1e-17", with `digits` digits or fewer if the error has eaten the rest: every
    number of x is within the printed error of the printed decimal.  An exact ball that `digits` digits show
    completely has no error printed.  "indeterminate" for the whole line. */
 /* The shortest such decimal from which an error of at most twice the ball's own follows. */
@@ -113,8 +115,8 @@ char *ball_get_str(const ball *x);
    the decimal and its error are read exactly and enclosed with prec. */
 rational_text_status ball_set_str(ball *z, const char *text, size_t length, long prec);
 
-/* "-1f.3" is not used here: the exact form is "M E e" in words, e.g. "-0x1f3 0x2 -17" (mantissa, error,
-   exponent in decimal), or "indeterminate".  Reading it back gives an identical ball. */
+/* The exact form: mantissa, error and exponent, e.g. "-0x1f3 0x2 -17", or "indeterminate".  Reading it back gives an
+   identical ball. */
 char *ball_get_hex(const ball *x);
 rational_text_status ball_set_hex(ball *z, const char *text, size_t length);
 

@@ -148,7 +148,7 @@ static bool add_long(ball *z, const ball *x, const ball *y, bool flip, int64_t r
 
 /* Let T be the larger top and e the lower exponent.  If T - e exceeds 64 (length x + length y) + room + 128, the
    operand with the lower exponent is below 2^(higher exponent - room - 64): errors.md, "Sums". */
-static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long prec)
+FIXED_NOINLINE static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
     bool y_negative = (y->size < 0) != flip;
     if (ball_is_special(x) || ball_is_special(y)) {
@@ -178,41 +178,32 @@ static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long pr
         add_negligible(z, y, y_negative, prec);
 }
 
-FIXED_INLINE bool short_sum(ball *z, const ball *x, const ball *y, bool flip, long prec)
+FIXED_INLINE void add_any(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
     int64_t room = ball_room_bits(prec);
+    bool done = false;
     switch (fixed_length(x, y, room)) {
-    case 1: return fixed_add(z, x, y, flip, (int)room, 1);
-    case 2: return fixed_add(z, x, y, flip, (int)room, 2);
-    case 3: return fixed_add(z, x, y, flip, (int)room, 3);
-    case 4: return fixed_add(z, x, y, flip, (int)room, 4);
-    default: return false;
+    case 1: done = fixed_add(z, x, y, flip, (int)room, 1); break;
+    case 2: done = fixed_add(z, x, y, flip, (int)room, 2); break;
+    case 3: done = fixed_add(z, x, y, flip, (int)room, 3); break;
+    case 4: done = fixed_add(z, x, y, flip, (int)room, 4); break;
+    default: break;
     }
+    if (FIXED_UNLIKELY(!done))
+        add_signed(z, x, y, flip, prec);
 }
 
 #if LIMB_HAVE_ADX
-FIXED_BMI2 static bool add_short_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
+FIXED_BMI2 static void add_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
-    return short_sum(z, x, y, flip, prec);
+    add_any(z, x, y, flip, prec);
 }
 #endif
 
-static bool add_short(ball *z, const ball *x, const ball *y, bool flip, long prec)
-{
-    return short_sum(z, x, y, flip, prec);
-}
+static void add(ball *z, const ball *x, const ball *y, bool flip, long prec) { add_any(z, x, y, flip, prec); }
 
-void ball_add(ball *z, const ball *x, const ball *y, long prec)
-{
-    if (!FIXED_BEST(add_short)(z, x, y, false, prec))
-        add_signed(z, x, y, false, prec);
-}
-
-void ball_sub(ball *z, const ball *x, const ball *y, long prec)
-{
-    if (!FIXED_BEST(add_short)(z, x, y, true, prec))
-        add_signed(z, x, y, true, prec);
-}
+void ball_add(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(add)(z, x, y, false, prec); }
+void ball_sub(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(add)(z, x, y, true, prec); }
 
 void ball_add_error(ball *z, const ball *x, const ball *r, long prec)
 {

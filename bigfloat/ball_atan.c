@@ -1,122 +1,64 @@
-/* ball_atan.c: the arc tangent.
+/* ball_atan.c: the arc tangent of balls.
 
-   For thin x, 0 < x <= 1: first an approximation a of 64 bits, then atan x = a + atan(d) with
-   d = (x cos a - sin a) / (cos a + x sin a), which is tiny and so has a short series.  Whatever a is, this holds; only
-   the length of the series depends on its quality.  Above 1, atan x = pi/2 - atan(1/x). */
+   That of the midpoint in fixed point (fraction_atan.c), above 1 as pi/2 - atan(1/x); then the ball's error. */
 #include "ball.h"
-#include "ball_internal.h"
+#include "fraction.h"
 
-/* z = atan x for |x| <= 1/2.  The series x - x^3/3 + x^5/5 ... alternates with decreasing terms: what is left out is at
-   most the first term left out. */
-static void series(ball *z, const ball *x, long prec)
+/* 0 < |x| < 2^top, top < -prec: atan x = x +- |x|^3 / 3 */
+static void atan_tiny(ball *z, const ball *x, long prec)
 {
-    ball power, square, term, sum;
-    ball_init(&power);
-    ball_init(&square);
-    ball_init(&term);
-    ball_init(&sum);
-    ball_sqr(&square, x, prec);
-    ball_set_round(&power, x, prec);
-    int64_t enough = ball_is_special(x) || ball_is_exact_zero(x) ? 0 : ball_top(x) - prec - 4;
-    for (long k = 1;; k += 2) {
-        ball_div_si(&term, &power, k, prec);
-        if (ball_is_special(&term) || ball_is_exact_zero(&term) || ball_top(&term) < enough)
-            break;
-        if (k % 4 == 1)
-            ball_add(&sum, &sum, &term, prec);
-        else
-            ball_sub(&sum, &sum, &term, prec);
-        ball_mul(&power, &power, &square, prec);
-    }
-    ball_add_error(z, &sum, &term, prec);
-    ball_clear(&power);
-    ball_clear(&square);
-    ball_clear(&term);
-    ball_clear(&sum);
-}
-
-/* z = atan x, 0 < x <= 1, about 64 bits: atan x = 2 atan(x / (1 + sqrt(1 + x^2))), three times. */
-static void short_atan(ball *z, const ball *x)
-{
-    const long prec = 128;
-    ball t, u, one;
+    ball t;
     ball_init(&t);
-    ball_init(&u);
-    ball_init(&one);
-    ball_one(&one);
-    ball_set_round(&t, x, prec);
-    for (int i = 0; i < 3; i++) {
-        ball_sqr(&u, &t, prec);
-        ball_add(&u, &u, &one, prec);
-        ball_sqrt(&u, &u, prec);
-        ball_add(&u, &u, &one, prec);
-        ball_div(&t, &t, &u, prec);
-    }
-    series(&t, &t, prec);
-    ball_mul_2exp(z, &t, 3, prec);
+    ball_set_error(&t, 1, 3 * ball_top(x) - 1); /* ROUNDING: 1/3 < 1/2 */
+    ball_add(z, x, &t, prec);
     ball_clear(&t);
-    ball_clear(&u);
-    ball_clear(&one);
 }
 
-/* x thin, 0 < x <= 1 */
-static void atan_unit(ball *z, const ball *x, long prec)
+/* |x| >= 2^(top - 1), top > prec + 2: pi/2 - 1/|x| < atan |x| < pi/2 */
+static void atan_huge(ball *z, bool negative, int64_t top, long prec)
 {
-    if (ball_top(x) < -10) {
-        series(z, x, prec + 8);
-        return;
-    }
-    ball a, s, c, t, u;
-    ball_init(&a);
-    ball_init(&s);
-    ball_init(&c);
+    ball t;
     ball_init(&t);
-    ball_init(&u);
-    const long working = prec + 16;
-    short_atan(&a, x);
-    if (prec > 100) {
-        ball_midpoint(&a, &a, 64);
-        ball_sin_cos(&s, &c, &a, working);
-        ball_mul(&t, x, &c, working);
-        ball_sub(&t, &t, &s, working);
-        ball_mul(&u, x, &s, working);
-        ball_add(&u, &u, &c, working);
-        ball_div(&t, &t, &u, working);
-        series(&t, &t, working);
-        ball_add(&a, &a, &t, working);
-    }
-    ball_swap(z, &a);
-    ball_clear(&a);
-    ball_clear(&s);
-    ball_clear(&c);
-    ball_clear(&t);
-    ball_clear(&u);
-}
-
-/* x thin, not 0 */
-static void atan_thin(ball *z, const ball *x, long prec)
-{
-    ball t, u;
-    ball_init(&t);
-    ball_init(&u);
-    bool negative = x->size < 0;
-    ball_abs(&t, x);
-    if (ball_top(&t) <= 0) /* x < 1 */
-        atan_unit(z, &t, prec);
-    else {
-        ball_inv(&t, &t, prec + 16); /* not thin: 1 / x +- e, and atan' <= 1 */
-        ball_radius_upper(&u, &t, BALL_MAX_PRECISION);
-        ball_midpoint(&t, &t, BALL_MAX_PRECISION);
-        atan_unit(&t, &t, prec);
-        ball_add_error(&t, &t, &u, prec + 16);
-        ball_pi(&u, prec + 16);
-        ball_mul_2exp(&u, &u, -1, prec + 16);
-        ball_sub(z, &u, &t, prec + 16);
-    }
+    ball_set_error(&t, 1, 1 - top); /* ROUNDING: atan(1/x) < 1/x */
+    ball_pi(z, prec);
+    ball_mul_2exp(z, z, -1, prec);
+    ball_add(z, z, &t, prec);
     if (negative)
         ball_neg(z, z);
     ball_clear(&t);
-    ball_clear(&u);
+}
+
+/* x thin, not 0; z may be x */
+static void atan_thin(ball *z, const ball *x, long prec)
+{
+    int64_t top = ball_top(x);
+    bool negative = x->size < 0, inverse = top > 0, ok;
+    if (top < -(int64_t)prec) {
+        atan_tiny(z, x, prec);
+        return;
+    }
+    if (top > prec + 2) {
+        atan_huge(z, negative, top, prec);
+        return;
+    }
+    int64_t bits = prec < 64 ? 64 : prec, zeros = top < 0 ? -top : 0;
+    size_t n = (size_t)(bits + zeros) / 64 + 1;
+    n = (size_t)(bits + zeros + 2 * (int64_t)fraction_halvings(n) + limb_bits(n) + 10 + 63) / 64;
+    ball_scratch space;
+    limb_t *w = ball_scratch_new(&space, 2 * (n + 1));
+    angle y = {w, n, 0};
+    draft a = {w ? w + n + 1 : NULL, false, 0, 0};
+    ok = w && (inverse ? angle_set_inverse(&y, x) : (angle_set(&y, x), true)) && fraction_atan(&a, &y);
+    if (ok && inverse) {
+        angle b = {a.w, n, 0};
+        ok = angle_complement(&b);
+        a.err += b.wrong;
+    }
+    if (ok)
+        ball_store(z, a.w, n + 1, negative, a.err, a.k, -64 * (int64_t)n, prec);
+    else
+        ball_no_memory(z);
+    ball_scratch_free(&space);
 }
 
 /* e >= |atan t - atan m| for every t of x = m +- r: r / (1 + l^2), where l <= |t|. */
@@ -146,11 +88,19 @@ void ball_atan(ball *z, const ball *x, long prec)
         return;
     }
     prec = prec < 2 ? 2 : prec > BALL_MAX_PRECISION ? BALL_MAX_PRECISION : prec;
+    if (x->error == 0 && x->size) {
+        atan_thin(z, x, prec);
+        return;
+    }
     ball t, e;
     ball_init(&t);
     ball_init(&e);
     ball_midpoint(&t, x, BALL_MAX_PRECISION);
     propagated_error(&e, x);
+    /* no more digits than the error leaves */
+    long useful = (long)ball_mantissa_bits(x) + BALL_ERROR_BITS + 8;
+    if (t.size && useful < prec && ball_top(&t) <= 2)
+        prec = useful;
     if (!ball_is_special(&t) && !ball_is_exact_zero(&t))
         atan_thin(&t, &t, prec);
     ball_add_error(&t, &t, &e, prec);

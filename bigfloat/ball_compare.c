@@ -107,7 +107,7 @@ static inline bool leading_word(leading *l, const ball *x)
         e = k < 30 ? (e >> k) + 2 : 2;         /* ROUNDING: ceiling, and the digits below w */
         l->at = x->exponent + k;
     } else {
-        if (e >> (62 - c) && c > 32)
+        if (limb_bits(e) + c > 62)
             return false;
         e <<= c;
         l->at = x->exponent - c;

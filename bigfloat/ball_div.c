@@ -28,6 +28,16 @@ static bool magnitude_word_lower(limb_t *d, int64_t *k, const ball *x)
     return true;
 }
 
+/* a 2^*k, rounded up to a whole number if *k < 0. */
+static limb_t at_nonnegative_scale(int64_t *k, limb_t a)
+{
+    if (*k < 0) {
+        a = ball_error_at(0 - *k, a, 0);
+        *k = 0;
+    }
+    return a;
+}
+
 /* In units of 2^-s, with quotient q <= |mx| 2^s / |my| < q + 1, the error is at most
    (err_x 2^s + (q + 1) err_y) / (|my| - err_y), plus 1 for the truncated quotient; q instead of q + 1 if the division
    left no remainder. */
@@ -46,21 +56,13 @@ static limb_t quotient_error(int64_t *k, const ball *x, const ball *y, const bal
     a <<= lift;
     *k -= lift + dk;
     a = a / d + 1; /* ROUNDING: ceiling, or one more */
-    while (*k < 0) { /* to a nonnegative scale */
-        a = (a >> 1) + (a & 1); /* ROUNDING: ceiling */
-        ++*k;
-        if (a <= 1) {
-            *k = 0;
-            break;
-        }
-    }
-    return a;
+    return at_nonnegative_scale(k, a);
 }
 
 static void divide(ball *z, const ball *x, const ball *y, limb_t d, int64_t dk, long prec)
 {
     int64_t room = ball_room_bits(prec), bx = (int64_t)ball_mantissa_bits(x), by = (int64_t)ball_mantissa_bits(y);
-    /* the quotient has s + bx - by or one more bits */
+    /* the quotient has s + bx - by or one more bits, more than room */
     int64_t s = room + 1 + by - bx;
     if (s < 0)
         s = 0;
@@ -81,15 +83,15 @@ static void divide(ball *z, const ball *x, const ball *y, limb_t d, int64_t dk, 
     int64_t e = x->exponent - y->exponent - s, k = 0;
     if (limb_divide(q, r, a, na, ball_limbs(y), n)) {
         size_t nq = limb_normal(q, na - n + 1);
-        limb_t err = limb_normal(r, n) != 0; /* ROUNDING: the quotient was truncated */
+        limb_t cut = limb_normal(r, n) != 0;
+        q[0] |= cut; /* ROUNDING: the truncated quotient has at least one bit too many: its last one says "and more" */
         ball t;
         ball_init(&t);
         t.size = (int32_t)nq;
-        t.error = err; /* |mx| 2^s / |my| <= q, or < q + 1 */
+        t.error = cut; /* |mx| 2^s / |my| <= q, or < q + 1 */
         t.capacity = nq ? (uint32_t)nq : 1;
         t.at.heap = q; /* only looked at */
-        limb_t more = quotient_error(&k, x, y, &t, s, d, dk);
-        err = ball_error_sum(&k, err, 0, more, k);
+        limb_t err = quotient_error(&k, x, y, &t, s, d, dk);
         ball_store(z, q, nq, negative, err, k, e, prec);
     } else
         ball_no_memory(z);
@@ -158,15 +160,7 @@ static limb_t root_error(int64_t *k, const ball *x, const ball *root, int64_t s)
     int lift = limb_clz(a) - 1;
     a = (a << lift) / d + 1; /* ROUNDING: ceiling, or one more */
     *k = s - lift - dk;
-    while (*k < 0) {
-        a = (a >> 1) + (a & 1); /* ROUNDING: ceiling */
-        ++*k;
-        if (a <= 1) {
-            *k = 0;
-            break;
-        }
-    }
-    return a;
+    return at_nonnegative_scale(k, a);
 }
 
 static void root(ball *z, const ball *x, long prec)

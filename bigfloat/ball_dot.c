@@ -188,10 +188,10 @@ FIXED_INLINE bool fixed_range(int64_t *top, int64_t *scale, const ball *x, long 
     return highest_scale != INT64_MIN;
 }
 
-/* ceil(word 2^-d) or one more, for word < 2^63, d >= 0 */
+/* ceil(word 2^-d) or one more, for word < 2^63, d >= 0; d may be negative where word is 0 */
 FIXED_INLINE limb_t scaled_down(limb_t word, int64_t d)
 {
-    return (word >> (d < 63 ? d : 63)) + 1; /* ROUNDING: ceiling */
+    return ((uint64_t)d < 63 ? word >> d : 0) + 1; /* ROUNDING: ceiling */
 }
 
 /* acc += +-w 2^-d, d >= 0, w of 2 n limbs; bits below the unit are cut off. */
@@ -222,12 +222,17 @@ FIXED_INLINE bool fixed_dot(ball *z, const ball *x, long xs, const ball *y, long
         if (FIXED_UNLIKELY(!has_length(x, n) || !has_length(y, n)))
             continue;
         const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
-        unsigned ca = (unsigned)limb_clz(a[n - 1]), cb = (unsigned)limb_clz(b[n - 1]);
         int64_t e = x->exponent + y->exponent, to = K - e - 64 * n + 31;
-        limb_t u = (fixed_leading(a, n, ca) >> 33) + 2, v = (fixed_leading(b, n, cb) >> 33) + 1;
-        if (n == 1)
-            u += x->error >> (64 - 31 - ca);
-        error += scaled_down(u * y->error, to + ca) + scaled_down(v * x->error, to + cb);
+        if ((a[n - 1] & b[n - 1]) >> 63) /* both full: one scale */
+            /* ROUNDING: |m| + err_x and |n|, as in fixed_product_error */
+            error += scaled_down(((a[n - 1] >> 33) + 2) * y->error + ((b[n - 1] >> 33) + 1) * x->error, to);
+        else {
+            unsigned ca = (unsigned)limb_clz(a[n - 1]), cb = (unsigned)limb_clz(b[n - 1]);
+            limb_t u = (fixed_leading(a, n, ca) >> 33) + 2, v = (fixed_leading(b, n, cb) >> 33) + 1;
+            if (n == 1)
+                u += x->error >> (64 - 31 - ca);
+            error += scaled_down(u * y->error, to + ca) + scaled_down(v * x->error, to + cb);
+        }
         int64_t d = t - e;
         if (FIXED_UNLIKELY(d < 0 || d >= 128 * n)) {
             if (d < 0)
@@ -241,7 +246,8 @@ FIXED_INLINE bool fixed_dot(ball *z, const ball *x, long xs, const ball *y, long
     for (int i = 0; i <= n; i++)
         acc[i] = limb_add(acc[i] ^ mask, 0, &carry);
     int64_t k;
-    error = ball_error_sum(&k, N, 0, error, K - t); /* ROUNDING: N terms, less than one unit each */
+    error = ball_error_sum(&k, N, 0, error, K - t); /* ROUNDING (hidden by the ceilings of the errors): N terms,
+                                                           less than one unit each */
     ball_store(z, acc, (size_t)n + 1, mask != 0, error, k, t, prec);
     return true;
 }

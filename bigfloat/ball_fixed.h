@@ -11,16 +11,18 @@
 #if defined(__GNUC__)
 #define FIXED_INLINE static inline __attribute__((always_inline))
 #define FIXED_UNLIKELY(c) __builtin_expect(!!(c), 0)
+#define FIXED_NOINLINE __attribute__((noinline))
 #else
+#define FIXED_NOINLINE
 #define FIXED_INLINE static inline
 #define FIXED_UNLIKELY(c) (c)
 #endif
 
-/* On x86-64 the same source is compiled a second time for processors with BMI2 (three-operand shifts, lzcnt): name
-   the two versions f and f_bmi2, and call FIXED_BEST(f)(...). */
+/* On x86-64 the same source is compiled a second time for processors with BMI2 (three-operand shifts): name the two
+   versions f and f_bmi2, and call FIXED_BEST(f)(...). */
 #if LIMB_HAVE_ADX
-#define FIXED_BMI2 __attribute__((target("bmi,bmi2,lzcnt")))
-#define FIXED_BEST(f) (limb_processor_has_adx() ? f##_bmi2 : f)
+#define FIXED_BMI2 __attribute__((target("bmi,bmi2")))
+#define FIXED_BEST(f) (__builtin_cpu_supports("bmi2") ? f##_bmi2 : f)
 #else
 #define FIXED_BEST(f) f
 #endif
@@ -78,6 +80,11 @@ FIXED_INLINE limb_t *fixed_target(ball *z) { return z->capacity ? z->at.heap : z
 FIXED_INLINE void fixed_product_error(limb_t *err, int *k, const ball *x, const ball *y, const limb_t *a, const limb_t *b,
                                       unsigned ca, unsigned cb, const int n)
 {
+    if ((a[n - 1] & b[n - 1]) >> 63) { /* both full: one scale, beyond the length of an error word */
+        *k = 64 * n - 31;
+        *err = ((a[n - 1] >> 33) + 2) * y->error + ((b[n - 1] >> 33) + 1) * x->error; /* ROUNDING: |m| + err_x, |n| */
+        return;
+    }
     int i = 64 * n - (int)ca - 31, j = 64 * n - (int)cb - 31;
     limb_t u = (fixed_leading(a, n, ca) >> 33) + 2, v = (fixed_leading(b, n, cb) >> 33) + 1;
     if (n == 1)
@@ -199,15 +206,23 @@ FIXED_INLINE bool fixed_add(ball *z, const ball *left, const ball *right, bool f
     const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
     /* x goes up by as many bits as it has room for, but not so far that its error gets too long; y comes down by
        the rest. */
-    int up = limb_clz(a[n - 1]), free_bits = BALL_ERROR_BITS - 1 - limb_bits(x->error);
-    up = up > d ? (int)d : up;
-    if (FIXED_UNLIKELY(x->error && up > free_bits))
-        up = free_bits > 0 ? free_bits : 0;
-    unsigned down = (unsigned)(d - up);
     limb_t A[4], B[4], P[4];
-#define S(i) A[i] = a[i] << up | (i > 0 ? (a[i ? i - 1 : 0] >> 1) >> (63 - up) : 0);
-    FIXED_EACH(n, S);
+    int up = 0;
+    if (a[n - 1] >> 63 || d == 0) {
+#define S(i) A[i] = a[i];
+        FIXED_EACH(n, S);
 #undef S
+    } else {
+        int free_bits = BALL_ERROR_BITS - 1 - limb_bits(x->error);
+        up = limb_clz(a[n - 1]);
+        up = up > d ? (int)d : up;
+        if (FIXED_UNLIKELY(x->error && up > free_bits))
+            up = free_bits > 0 ? free_bits : 0;
+#define S(i) A[i] = a[i] << up | (i > 0 ? (a[i ? i - 1 : 0] >> 1) >> (63 - up) : 0);
+        FIXED_EACH(n, S);
+#undef S
+    }
+    unsigned down = (unsigned)(d - up);
     limb_t lost = fixed_shift_right(B, b, down, n);
     limb_t low = down < 64 ? y->error & (((limb_t)1 << down) - 1) : y->error;
     limb_t err = (x->error << up) + fixed_right(y->error, down < 64 ? down : 64) + (low != 0) /* ROUNDING: ceiling */

@@ -87,10 +87,6 @@ static inline limb_t *ball_scratch_new(ball_scratch *s, size_t n)
 }
 static inline void ball_scratch_free(ball_scratch *s) { free(s->heap); }
 
-/* p = floor(pi 2^(64 n)), n + 1 limbs, n <= PI_TABLE_LIMBS. */
-#define PI_TABLE_LIMBS 42
-void ball_pi_limbs(limb_t *p, size_t n);
-
 /* ---- thin numbers: +- w 2^e, compared exactly ---- */
 
 typedef struct {

@@ -13,28 +13,7 @@ static limb_t product_error(int64_t *k, const ball *x, const ball *y)
     return ball_error_sum(k, u * y->error, y->error ? i : 0, v * x->error, x->error ? j : 0);
 }
 
-FIXED_INLINE bool short_product(ball *z, const ball *x, const ball *y, long prec)
-{
-    int64_t room = ball_room_bits(prec);
-    switch (fixed_length(x, y, room)) {
-    case 1: return fixed_mul(z, x, y, (int)room, 1);
-    case 2: return fixed_mul(z, x, y, (int)room, 2);
-    case 3: return fixed_mul(z, x, y, (int)room, 3);
-    case 4: return fixed_mul(z, x, y, (int)room, 4);
-    default: return false;
-    }
-}
-
-#if LIMB_HAVE_ADX
-FIXED_BMI2 static bool mul_short_bmi2(ball *z, const ball *x, const ball *y, long prec)
-{
-    return short_product(z, x, y, prec);
-}
-#endif
-
-static bool mul_short(ball *z, const ball *x, const ball *y, long prec) { return short_product(z, x, y, prec); }
-
-static void mul_general(ball *z, const ball *x, const ball *y, long prec)
+FIXED_NOINLINE static void mul_general(ball *z, const ball *x, const ball *y, long prec)
 {
     if (ball_is_special(x) || ball_is_special(y)) {
         ball_indeterminate_like(z, x, y);
@@ -58,11 +37,28 @@ static void mul_general(ball *z, const ball *x, const ball *y, long prec)
     ball_scratch_free(&space);
 }
 
-void ball_mul(ball *z, const ball *x, const ball *y, long prec)
+FIXED_INLINE void mul_any(ball *z, const ball *x, const ball *y, long prec)
 {
-    if (!FIXED_BEST(mul_short)(z, x, y, prec))
+    int64_t room = ball_room_bits(prec);
+    bool done = false;
+    switch (fixed_length(x, y, room)) {
+    case 1: done = fixed_mul(z, x, y, (int)room, 1); break;
+    case 2: done = fixed_mul(z, x, y, (int)room, 2); break;
+    case 3: done = fixed_mul(z, x, y, (int)room, 3); break;
+    case 4: done = fixed_mul(z, x, y, (int)room, 4); break;
+    default: break;
+    }
+    if (FIXED_UNLIKELY(!done))
         mul_general(z, x, y, prec);
 }
+
+#if LIMB_HAVE_ADX
+FIXED_BMI2 static void mul_bmi2(ball *z, const ball *x, const ball *y, long prec) { mul_any(z, x, y, prec); }
+#endif
+
+static void mul(ball *z, const ball *x, const ball *y, long prec) { mul_any(z, x, y, prec); }
+
+void ball_mul(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(mul)(z, x, y, prec); }
 
 void ball_sqr(ball *z, const ball *x, long prec)
 {

@@ -113,7 +113,7 @@ static void combine(ball *z, const ball *x, const ball *y, int lower_choice, int
     const ball *low = (lower == TRUTH_TRUE) == (lower_choice < 0) ? &a : &b;
     const ball *high = (upper == TRUTH_TRUE) == (upper_choice < 0) ? &c : &d;
     if (lower == TRUTH_UNKNOWN || upper == TRUTH_UNKNOWN)
-        ball_indeterminate_like(z, &a, &c);
+        ball_no_memory(z); /* thin numbers are comparable, unless memory is missing here or before */
     else if (ball_less(high, low) == TRUTH_TRUE)
         ball_indeterminate(z);
     else

@@ -145,6 +145,13 @@ static bool has_decimal(const ball *x)
            && ball_mantissa_bits(x) <= 2 * DECIMAL_MAX_EXPONENT;
 }
 
+/* An odd number times 2^-p has p decimals; integers have none. */
+static int64_t decimal_places(const ball *x)
+{
+    int64_t places = -(x->exponent + (int64_t)limb_trailing_zeros(ball_limbs(x), ball_length(x)));
+    return places > 0 ? places : 0;
+}
+
 char *ball_get_decimal(const ball *x, int digits)
 {
     if (ball_is_special(x))
@@ -160,10 +167,10 @@ char *ball_get_decimal(const ball *x, int digits)
     if (x->error) { /* no digits below a tenth of the error */
         long most = 2 - decimal_scale(limb_bits(x->error) - 1 + x->exponent);
         k = k < most && x->size ? k : most;
-    } else if (x->exponent >= 0 && k > 0)
-        k = 0;
-    else if (x->exponent < 0 && k > -x->exponent)
-        k = (long)-x->exponent; /* m 2^e has at most -e decimals */
+    } else {
+        int64_t places = decimal_places(x);
+        k = k > places ? (long)places : k;
+    }
     return write_decimal(x, k);
 }
 
@@ -176,11 +183,8 @@ char *ball_get_str(const ball *x)
         return ball_get_hex(x);
     if (ball_is_exact_zero(x))
         return copy_text("0");
-    if (x->error == 0) {
-        int64_t zeros = (int64_t)limb_trailing_zeros(ball_limbs(x), ball_length(x));
-        int64_t places = -(x->exponent + zeros);
-        return write_decimal(x, places > 0 ? (long)places : 0);
-    }
+    if (x->error == 0)
+        return write_decimal(x, (long)decimal_places(x));
     return write_decimal(x, 1 - decimal_scale(limb_bits(x->error) - 1 + x->exponent));
 }
 

@@ -11,8 +11,12 @@ void grid_indeterminate_like(grid *z, const grid *x, const grid *y);
 /* Is g a possible grid exponent? */
 static inline bool grid_exponent_ok(long g) { return g >= -GRID_MAX_EXPONENT && g <= GRID_MAX_EXPONENT; }
 
-/* Both finite and on the grid g? */
-static inline bool grid_ready(const grid *x, long g) { return x->state == GRID_FINITE && x->exponent == g; }
+/* Finite, and its endpoints count units of the grid g?  (0 is on every grid.) */
+static inline bool grid_ready(const grid *x, long g)
+{
+    return x->state == GRID_FINITE
+           && (x->exponent == g || ((x->lower.size | x->upper.size) == 0 && grid_exponent_ok(g)));
+}
 
 /* z = x on the grid g, outward; false: z is indeterminate (x was, or g is out of range, or no memory). */
 bool grid_move(grid *z, const grid *x, long g);

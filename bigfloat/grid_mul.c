@@ -202,6 +202,7 @@ static void accumulate_words(grid *z, const grid *x, const grid *y, long g, bool
     }
     integer_set_pair(&z->lower, integer_get_pair(&z->lower) + lower);
     integer_set_pair(&z->upper, integer_get_pair(&z->upper) + upper);
+    grid_finish(z, g, true);
 }
 #endif
 

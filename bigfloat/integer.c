@@ -61,6 +61,10 @@ bool integer_set(integer *z, const integer *x)
 {
     if (z == x)
         return true;
+    if (!z->capacity && !x->capacity) {
+        *z = *x;
+        return true;
+    }
     limb_t *p = integer_fresh(z, (size_t)integer_length(x));
     if (!p)
         return false;
@@ -116,6 +120,12 @@ int integer_cmp_abs(const integer *x, const integer *y)
 
 int integer_cmp(const integer *x, const integer *y)
 {
+#if LIMB_INT128
+    if (integer_is_short(x) && integer_is_short(y)) {
+        limb_signed_pair_t a = integer_get_pair(x), b = integer_get_pair(y);
+        return (a > b) - (a < b);
+    }
+#endif
     if (x->size != y->size)
         return x->size < y->size ? -1 : 1;
     int c = limb_compare(integer_limbs(x), integer_limbs(y), (size_t)integer_length(x));
@@ -240,6 +250,12 @@ bool integer_mul_2exp(integer *z, const integer *x, unsigned long n)
         integer_zero(z);
         return true;
     }
+#if LIMB_INT128
+    if (!x->capacity && n < 126 && integer_bits(x) + n <= 126) {
+        integer_set_pair(z, integer_get_pair(x) * ((limb_signed_pair_t)1 << n));
+        return true;
+    }
+#endif
     if (n > (unsigned long)INTEGER_MAX_LIMBS * 64)
         return false;
     bool negative = x->size < 0;
@@ -260,6 +276,14 @@ bool integer_mul_2exp(integer *z, const integer *x, unsigned long n)
    direction points away from 0. */
 static bool div_2exp(integer *z, const integer *x, unsigned long n, bool down)
 {
+#if LIMB_INT128
+    if (integer_is_short(x)) {
+        limb_signed_pair_t v = integer_get_pair(x);
+        unsigned s = n < 127 ? (unsigned)n : 127;
+        integer_set_pair(z, down ? v >> s : -(-v >> s)); /* arithmetic shifts: floors */
+        return true;
+    }
+#endif
     size_t m = (size_t)integer_length(x), whole = n / 64;
     bool negative = x->size < 0, away = negative == down;
     const limb_t *a = integer_limbs(x);

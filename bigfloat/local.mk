@@ -30,15 +30,27 @@ BIGFLOAT_SOURCES = \
   bigfloat/ball_compare.c \
   bigfloat/ball_sets.c \
   bigfloat/ball_convert.c \
+  bigfloat/fraction.h \
+  bigfloat/fraction.c \
+  bigfloat/fraction_pi_series.c bigfloat/fraction_pi.c \
+  bigfloat/fraction_series.c \
+  bigfloat/fraction_cos.c \
+  bigfloat/fraction_angle.c \
+  bigfloat/fraction_atan.c \
   bigfloat/ball_pi.c \
   bigfloat/ball_atan.c \
   bigfloat/ball_trig.c \
   bigfloat/trig_pi.h bigfloat/trig_pi.c \
   bigfloat/ball_text.c \
   \
+  bigfloat/complex_ball.h \
+  bigfloat/complex_ball.c \
+  \
   bigfloat/interval.h \
   bigfloat/interval.c \
   bigfloat/interval_self_test.c \
+  bigfloat/interval_batch.h \
+  bigfloat/interval_batch.c \
   \
   bigfloat/grid.h bigfloat/grid_internal.h \
   bigfloat/grid.c \
@@ -48,7 +60,9 @@ BIGFLOAT_SOURCES = \
   bigfloat/grid_compare.c \
   bigfloat/grid_text.c \
   \
-  bigfloat/number.h
+  bigfloat/number.h bigfloat/jet.h
+
+EXTRA_DIST += bigfloat/errors.md bigfloat/errors-trig.md
 
 noinst_LIBRARIES += libbigfloat.a
 libbigfloat_a_SOURCES = $(BIGFLOAT_SOURCES)

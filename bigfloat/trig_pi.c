@@ -2,7 +2,7 @@
 #include "trig_pi.h"
 
 #include "ball.h"
-#include "ball_internal.h"
+#include "fraction.h"
 
 /* t = r mod 2, in [0, 2) */
 static bool modulo_two(rational *t, const rational *r)
@@ -25,11 +25,45 @@ static bool reflect(rational *t, int64_t p, int64_t q)
     return rational_set_si(&c, p, q) && rational_sub(t, &c, t);
 }
 
+/* One word each, with room for small multiples? */
+static bool is_short(const rational *r)
+{
+    return integer_length(&r->numerator) == 1 && integer_length(&r->denominator) == 1
+           && integer_limbs(&r->numerator)[0] >> 60 == 0 && integer_limbs(&r->denominator)[0] >> 60 == 0;
+}
+
+/* The steps of trig_pi_reduce, for the angle pi a / (2 q). */
+static bool reduce_short(trig_pi *u, const rational *r, bool of_sine)
+{
+    int64_t p = (int64_t)integer_limbs(&r->numerator)[0], q = (int64_t)integer_limbs(&r->denominator)[0];
+    if (r->numerator.size < 0)
+        p = -p;
+    int64_t a = (of_sine ? q - 2 * p : 2 * p) % (4 * q);
+    if (a < 0)
+        a = -a; /* cos(-a) = cos a */
+    if (a > 2 * q)
+        a = 4 * q - a;
+    if (a > q) {
+        u->negative = true;
+        a = 2 * q - a;
+    }
+    u->exact = a == 0 || 3 * a == 2 * q || a == q;
+    if (u->exact)
+        u->half = (a == 0 ? 2 : a == q ? 0 : 1) * (u->negative ? -1 : 1);
+    else if (2 * a > q) {
+        u->sine = true;
+        a = q - a;
+    }
+    return u->exact || rational_set_si(&u->t, a, 2 * q);
+}
+
 bool trig_pi_reduce(trig_pi *u, const rational *r, bool of_sine)
 {
     u->exact = u->sine = u->negative = false;
     u->half = 0;
     rational_init(&u->t);
+    if (is_short(r))
+        return reduce_short(u, r, of_sine);
     if (!rational_set(&u->t, r) || (of_sine && !reflect(&u->t, 1, 2)) /* sin a = cos(pi/2 - a) */
         || !modulo_two(&u->t, &u->t))
         return false;
@@ -58,28 +92,14 @@ bool trig_pi_reduce(trig_pi *u, const rational *r, bool of_sine)
 static void ball_trig_pi(ball *z, const rational *r, bool of_sine, long prec)
 {
     trig_pi u;
-    ball s, c, angle;
-    ball_init(&s);
-    ball_init(&c);
-    ball_init(&angle);
     if (!trig_pi_reduce(&u, r, of_sine))
         ball_no_memory(z);
     else if (u.exact) {
         ball_set_si(z, u.half, prec);
         ball_mul_2exp(z, z, -1, prec);
-    } else {
-        ball_set_rational(&c, &u.t, prec + 20);
-        ball_pi(&angle, prec + 20);
-        ball_mul(&angle, &angle, &c, prec + 20);
-        ball_sin_cos(&s, &c, &angle, prec + 8);
-        ball_set_round(z, u.sine ? &s : &c, prec);
-        if (u.negative)
-            ball_neg(z, z);
-    }
+    } else
+        ball_trig_of_turns(z, &u.t, u.sine, u.negative, prec);
     rational_clear(&u.t);
-    ball_clear(&s);
-    ball_clear(&c);
-    ball_clear(&angle);
 }
 
 void ball_cos_pi(ball *z, const rational *r, long prec) { ball_trig_pi(z, r, false, prec); }

@@ -4,13 +4,20 @@
 BIGFLOAT_TESTS = \
   tests/bigfloat/t-integer \
   tests/bigfloat/t-ball \
+  tests/bigfloat/t-rational \
+  tests/bigfloat/t-text \
   tests/bigfloat/t-trig \
+  tests/bigfloat/t-fixed-trig \
+  tests/bigfloat/t-complex \
+  tests/bigfloat/t-batch \
+  tests/bigfloat/t-memory \
   tests/bigfloat/t-interval \
   tests/bigfloat/t-grid \
   tests/bigfloat/exhaustive-ball \
   tests/bigfloat/exhaustive-grid \
   tests/bigfloat/exhaustive-interval \
-  tests/bigfloat/identities
+  tests/bigfloat/identities \
+  tests/bigfloat/extremes
 
 # These compare with MPFR and FLINT, or skip where there is none.
 ORACLE_TESTS = \
@@ -47,9 +54,12 @@ tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
-  tests/check/t-check-units
+  tests/check/t-check-units \
+  tests/check/t-check-spectrum
 tests_check_t_check_units_CPPFLAGS =
 tests_check_t_check_units_LDADD =
+tests_check_t_check_spectrum_CPPFLAGS =
+tests_check_t_check_spectrum_LDADD =
 
 # One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
 GENERIC_TESTS = \
@@ -130,3 +140,11 @@ check-programs: all
 SECONDS_PER_TEST = 60
 check-long: check-programs
 	@SECONDS_PER_TEST=$(SECONDS_PER_TEST) TEST_TIMEOUT=0 $(RUN_TESTS)
+
+# Does every rounding constant of bigfloat/ matter to some test? Some minutes.
+MUTATIONS = tests/bigfloat/mutations tests/bigfloat/mutations-directed
+EXTRA_DIST += tests/bigfloat/mutate-constants $(MUTATIONS)
+.PHONY: mutate-constants
+mutate-constants:
+	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
+	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)

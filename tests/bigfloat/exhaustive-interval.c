@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "bigfloat/interval.h"
+#include "bigfloat/interval_batch.h"
 #include "random.h"
 
 static const double magnitude[] = {
@@ -259,6 +260,63 @@ static INTERVAL_NOINLINE void check_unary(ends a)
         wrong("midpoint", a, a, &m, low, high);
 }
 
+/* ---- batches: the same doubles as one at a time, the sign of 0 excepted ---- */
+
+static interval all[POINTS * POINTS], row[POINTS * POINTS], batch[POINTS * POINTS], single[POINTS * POINTS];
+
+typedef void (*batch_operation)(interval *, const interval *, const interval *, size_t);
+typedef void (*operation)(interval *, const interval *, const interval *, long);
+
+/* These are called in regions only. */
+static INTERVAL_NOINLINE void add_one(interval *z, const interval *x, const interval *y, long prec) { interval_add(z, x, y, prec); }
+static INTERVAL_NOINLINE void sub_one(interval *z, const interval *x, const interval *y, long prec) { interval_sub(z, x, y, prec); }
+static INTERVAL_NOINLINE void mul_one(interval *z, const interval *x, const interval *y, long prec) { interval_mul(z, x, y, prec); }
+static INTERVAL_NOINLINE void addmul_one(interval *z, const interval *x, const interval *y, long prec)
+{
+    interval_addmul(z, x, y, prec);
+}
+
+static INTERVAL_NOINLINE void one_by_one(operation op)
+{
+    for (int j = 0; j < members; j++)
+        op(&single[j], &row[j], &all[j], 0);
+}
+
+static void check_batch(const char *name, batch_operation op, operation one, int i)
+{
+    interval_mode mode = interval_enter();
+    one_by_one(one);
+    interval_leave(mode);
+    op(batch, row, all, (size_t)members);
+    for (int j = 0; j < members; j++)
+        if (batch[j].neg_lower != single[j].neg_lower || batch[j].upper != single[j].upper)
+            wrong(name, family[i], family[j], &batch[j], -single[j].neg_lower, single[j].upper);
+}
+
+static void restart(int i)
+{
+    for (int j = 0; j < members; j++)
+        batch[j] = single[j] = interval_of(family[i]);
+}
+
+static void check_batches(int i)
+{
+    for (int j = 0; j < members; j++) {
+        all[j] = interval_of(family[j]);
+        row[j] = interval_of(family[i]);
+    }
+    check_batch("batch add", interval_batch_add, add_one, i);
+    check_batch("batch sub", interval_batch_sub, sub_one, i);
+    check_batch("batch mul", interval_batch_mul, mul_one, i);
+    restart(i), check_batch("batch addmul", interval_batch_addmul, addmul_one, i);
+    for (int j = 0; j < members; j++) { /* x times one interval: x and row change places */
+        row[j] = all[j];
+        all[j] = interval_of(family[i]);
+    }
+    check_batch("batch scale", interval_batch_scale, mul_one, i);
+    restart(i), check_batch("batch axpy", interval_batch_axpy, addmul_one, i);
+}
+
 /* Exact: |t - c| <= r at both ends. */
 static void check_radius(ends a)
 {
@@ -343,6 +401,10 @@ int main(void)
     test_end();
     test_begin("exhaustive-interval-pairs");
     pairs_in_region(check_pair);
+    test_end();
+    test_begin("exhaustive-interval-batches");
+    for (int i = 0; i < members && !test_failed(); i++)
+        check_batches(i);
     test_end();
     return test_status();
 }

@@ -254,7 +254,7 @@ static void endpoints(rational *a, rational *b, const ball *x)
 static void test_questions(void)
 {
     test_begin("ball-questions");
-    for (test_cases(8000); test_next();) {
+    for (test_cases(20000); test_next();) {
         ball x, y;
         rational a, b, c, d;
         ball_init(&x), ball_init(&y);
@@ -273,9 +273,13 @@ static void test_questions(void)
             integer_init(&m);
             random_integer(&m, 1);
             MUST(integer_mul_2exp(&m, &m, random_below(30)));
+            MUST(integer_add_si(&m, &m, (long)random_below((uint64_t)1 << 29)));
             ball_set_parts(&x, &m, random_below((uint64_t)1 << random_range(1, BALL_ERROR_BITS)), 0);
-            MUST(integer_add_si(&m, &m, random_range(-2, 2) * (long)(x.error / 2 + 1) + random_range(-2, 2)));
-            ball_set_parts(&y, &m, random_below((uint64_t)1 << random_range(1, BALL_ERROR_BITS)), 0);
+            /* moved by up to twice the error, with an error that just touches, or any other */
+            long moved = random_range(-2, 2) * (long)(x.error / 2 + 1) + random_range(-2, 2), touching;
+            touching = (moved < 0 ? -moved : moved) - (long)x.error + random_range(-1, 1);
+            MUST(integer_add_si(&m, &m, moved));
+            ball_set_parts(&y, &m, touching >= 0 && random_bool() ? (uint64_t)touching : random_below((uint64_t)1 << random_range(1, BALL_ERROR_BITS)), 0);
             integer_clear(&m);
         }
         endpoints(&a, &b, &x), endpoints(&c, &d, &y);
@@ -389,6 +393,44 @@ static void test_full_lengths(void)
     test_end();
 }
 
+/* Dot products of terms that all have n limbs, most of them full, at precision 64 n. */
+static void test_dot_full_lengths(void)
+{
+    test_begin("ball-dot-full-lengths");
+    for (test_cases(10000); test_next();) {
+        size_t n = (size_t)random_range(1, 5), N = (size_t)random_range(1, 4);
+        uint64_t limb[5];
+        ball x[8], z;
+        rational p, q, sum;
+        ball_init(&z);
+        rational_init(&p), rational_init(&q), rational_init(&sum);
+        bool short_errors = random_bool();
+        for (size_t i = 0; i < 2 * N; i++) {
+            integer m;
+            integer_init(&m);
+            ball_init(&x[i]);
+            random_limbs(limb, n);
+            limb[n - 1] |= random_below(4) ? (uint64_t)1 << 63 : 1;
+            MUST(integer_set_limbs(&m, limb, n, random_below(4) == 0));
+            ball_set_parts(&x[i], &m, short_errors ? random_below(3) : random_word() >> (64 - BALL_ERROR_BITS),
+                           random_below(3) ? 0 : random_range(-66, 66));
+            integer_clear(&m);
+        }
+        for (size_t i = 0; i < N; i++) {
+            random_point_ball(&p, &x[i]), random_point_ball(&q, &x[N + i]);
+            MUST(rational_mul(&p, &p, &q));
+            MUST(rational_add(&sum, &sum, &p));
+        }
+        ball_dot(&z, x, x + N, N, 64 * (long)n);
+        CHECK(ball_contains_rational(&z, &sum), "%zu terms of %zu limbs", N, n);
+        for (size_t i = 0; i < 2 * N; i++)
+            ball_clear(&x[i]);
+        ball_clear(&z);
+        rational_clear(&p), rational_clear(&q), rational_clear(&sum);
+    }
+    test_end();
+}
+
 /* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel, and an inexact term far below. */
 static void test_dot_cancellation(void)
 {
@@ -434,6 +476,7 @@ static void test_dot_cancellation(void)
 int main(void)
 {
     test_full_lengths();
+    test_dot_full_lengths();
     test_dot_cancellation();
     test_dot();
     test_add();

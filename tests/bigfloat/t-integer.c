@@ -135,6 +135,35 @@ static void test_division(void)
     test_end();
 }
 
+/* Long quotients, built so that their digits are extreme: (q b + r) / b. */
+static void test_long_division(void)
+{
+    test_begin("integer-long-division");
+    for (test_cases(300); test_next();) {
+        setup();
+        random_integer(&a, 300), random_nonzero_integer(&b, random_bool() ? 300 : 120), random_integer(&c, 200);
+        MUST(integer_abs(&a, &a));
+        MUST(integer_abs(&b, &b));
+        if (random_bool()) { /* all ones: quotients that must be corrected */
+            integer_set_si(&a, 1);
+            MUST(integer_mul_2exp(&a, &a, 64 * random_below(200)));
+            MUST(integer_add_si(&a, &a, random_range(-1, 0)));
+        }
+        MUST(integer_fdiv_qr(NULL, &c, &c, &b)); /* 0 <= c < b */
+        MUST(integer_mul(&d, &a, &b));
+        MUST(integer_add(&d, &d, &c));
+        MUST(integer_fdiv_qr(&e, &f, &d, &b));
+        EQUAL(e, a);
+        EQUAL(f, c);
+        MUST(integer_fdiv_qr(NULL, &f, &d, &b));
+        EQUAL(f, c);
+        MUST(integer_fdiv_q(&e, &d, &b));
+        EQUAL(e, a);
+        teardown();
+    }
+    test_end();
+}
+
 static void test_shifts(void)
 {
     test_begin("integer-shifts");
@@ -281,6 +310,7 @@ int main(void)
     test_ring();
     test_products();
     test_division();
+    test_long_division();
     test_shifts();
     test_words();
     test_gcd();
