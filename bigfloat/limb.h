@@ -108,6 +108,10 @@ static inline limb_t limb_muladd(limb_t a, limb_t b, limb_t c, limb_t *carry)
 #endif
 }
 
+#if !LIMB_INT128
+limb_t limb_div_portable(limb_t *remainder, limb_t high, limb_t low, limb_t d); /* limb.c */
+#endif
+
 /* (high, low) / d = quotient, remainder; high < d. */
 static inline limb_t limb_div(limb_t *remainder, limb_t high, limb_t low, limb_t d)
 {
@@ -121,7 +125,6 @@ static inline limb_t limb_div(limb_t *remainder, limb_t high, limb_t low, limb_t
     *remainder = (limb_t)(t % d);
     return (limb_t)(t / d);
 #else
-    limb_t limb_div_portable(limb_t *remainder, limb_t high, limb_t low, limb_t d);
     return limb_div_portable(remainder, high, low, d);
 #endif
 }
