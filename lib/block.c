@@ -4,32 +4,46 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int list_unknowns(unknown *list, int rings, bool plain)
+typedef enum { FORM_PLAIN, FORM_REAL, FORM_COMPLEX } form;
+
+/* The unknowns of one point, of which (b,a) is the mirror image. */
+static int list_point(unknown *list, form f, int a, int b)
+{
+    if (f == FORM_PLAIN)
+        list[0] = (unknown){UNKNOWN_PLAIN, a, b};
+    else if (f == FORM_COMPLEX)
+        list[0] = (unknown){UNKNOWN_COMPLEX, a, b};
+    else if (b == 0)
+        list[0] = (unknown){UNKNOWN_SPOKE, a, b};
+    else if (a == b)
+        list[0] = (unknown){UNKNOWN_BISECTOR, a, b};
+    else if (a > b) {
+        list[0] = (unknown){UNKNOWN_X, a, b};
+        list[1] = (unknown){UNKNOWN_Y, a, b};
+        return 2;
+    } else
+        return 0;
+    return 1;
+}
+
+/* Ring by ring, then by b, then by falling a: for triangles in the order of b alone. */
+static int list_unknowns(unknown *list, mesh_kind mesh, int rings, form f)
 {
     int n = 0;
-    if (plain)
+    if (f == FORM_PLAIN && mesh != MESH_DUAL)
         list[n++] = (unknown){UNKNOWN_CENTRE, 0, 0};
     for (int j = 1; j <= rings; j++)
-        for (int b = 0; b < j; b++) {
-            int a = j - b;
-            if (plain) {
-                list[n++] = (unknown){UNKNOWN_PLAIN, a, b};
-            } else if (b == 0) {
-                list[n++] = (unknown){UNKNOWN_SPOKE, a, b};
-            } else if (a == b) {
-                list[n++] = (unknown){UNKNOWN_BISECTOR, a, b};
-            } else if (a > b) {
-                list[n++] = (unknown){UNKNOWN_X, a, b};
-                list[n++] = (unknown){UNKNOWN_Y, a, b};
-            }
-        }
+        for (int b = mesh == MESH_DUAL; b <= j; b++)
+            for (int a = j; a >= 1; a--)
+                if (mesh_ring(mesh, a, b) == j)
+                    n += list_point(list + n, f, a, b);
     return n;
 }
 
 /* Sets V(a,b) = (x, y) and its mirror image V(b,a) = t conj V(a,b). */
 static void set_pair(sector_net *net, const unknown *p, const number *x, const number *y, long prec)
 {
-    int here = sector_index(p->a, p->b), there = sector_index(p->b, p->a);
+    int here = sector_index(net, p->a, p->b), there = sector_index(net, p->b, p->a);
     number_set(&net->x[here], x);
     number_set(&net->y[here], y);
     number_set(&net->x[there], x);
@@ -37,11 +51,11 @@ static void set_pair(sector_net *net, const unknown *p, const number *x, const n
     twist_apply(&net->x[there], &net->y[there], net->twist, 1, prec);
 }
 
-void block_net(sector_net *net, const block *z, const number *values, long prec)
+void block_net(sector_net *net, const block *z, const number *values, const number *imaginary, long prec)
 {
     for (int i = 0; i < z->n; i++) {
         const unknown *p = &z->unknowns[i];
-        int at = sector_index(p->a, p->b);
+        int at = p->kind == UNKNOWN_CENTRE ? 0 : sector_index(net, p->a, p->b);
         switch (p->kind) {
         case UNKNOWN_CENTRE:
             number_set(&net->centre, &values[i]);
@@ -60,69 +74,90 @@ void block_net(sector_net *net, const block *z, const number *values, long prec)
             break;
         case UNKNOWN_Y:
             break;
+        case UNKNOWN_COMPLEX:
+            number_set(&net->x[at], &values[i]);
+            number_set(&net->y[at], &imaginary[i]);
+            break;
         }
     }
 }
 
-/* z = the unknown p of the net after one subdivision. */
-static sector_status refined_unknown(number *z, const unknown *p, const sector_net *net, const mask_numbers *mask, const number *centre,
-                                     const number *ring, long prec)
+/* Reads the unknowns of a net into column j of the matrix. */
+static void read_column(block *z, int j, const sector_net *net)
 {
-    number x, y;
-    sector_status s = SECTOR_OK;
-    number_init(&x);
-    number_init(&y);
-    if (p->kind == UNKNOWN_CENTRE) {
-        number_mul(&x, centre, &net->centre, prec);
-        number_addmul(&x, ring, &net->x[sector_index(1, 0)], prec);
-    } else {
-        s = sector_refined_value(&x, &y, net, mask, p->a, p->b, prec);
+    for (int i = 0; i < z->n; i++) {
+        const unknown *p = &z->unknowns[i];
+        number *entry = &z->entry[i * z->n + j];
+        int at = p->kind == UNKNOWN_CENTRE ? 0 : sector_index(net, p->a, p->b);
+        if (p->kind == UNKNOWN_CENTRE)
+            number_set(entry, &net->centre);
+        else
+            number_set(entry, p->kind == UNKNOWN_BISECTOR || p->kind == UNKNOWN_Y ? &net->y[at] : &net->x[at]);
+        if (z->imaginary)
+            number_set(&z->imaginary[i * z->n + j], &net->y[at]);
     }
-    number_swap(z, p->kind == UNKNOWN_BISECTOR || p->kind == UNKNOWN_Y ? &y : &x);
-    number_clear(&x);
-    number_clear(&y);
-    return s;
 }
 
-static block_status fill(block *z, sector_net *net, number *unit, const mask_numbers *mask, const number *centre, const number *ring, long prec)
+block_status block_from_subdivide(subdivide_status s)
+{
+    static const block_status same[] = {BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_CENTRE_RULE, BLOCK_NO_MEMORY};
+    return same[s];
+}
+
+static block_status fill(block *z, sector_net *net, number *unit, const number *zero, const scheme_numbers *numbers)
 {
     for (int j = 0; j < z->n; j++) {
+        sector_net image;
+        subdivide_status s;
         for (int i = 0; i < z->n; i++)
-            number_set_si(&unit[i], i == j, prec);
-        block_net(net, z, unit, prec);
-        for (int i = 0; i < z->n; i++) {
-            number *entry = &z->entry[i * z->n + j];
-            if (refined_unknown(entry, &z->unknowns[i], net, mask, centre, ring, prec) != SECTOR_OK)
-                return BLOCK_OPPOSITE;
-            if (number_lacks_memory(entry))
-                return BLOCK_NO_MEMORY;
-        }
+            number_set_si(&unit[i], i == j, numbers->prec);
+        block_net(net, z, unit, zero, numbers->prec);
+        s = scheme_subdivide(&image, net, numbers, z->rings);
+        if (s == SUBDIVIDE_OK)
+            read_column(z, j, &image);
+        sector_net_free(&image);
+        if (s != SUBDIVIDE_OK)
+            return block_from_subdivide(s);
     }
     return BLOCK_OK;
 }
 
-block_status block_make(block *z, const scheme *s, const mask_numbers *mask, const number *centre, const number *ring, long m, long k, long prec)
+static bool set_twist(block *z, form f, long prec)
 {
+    return f == FORM_PLAIN || (f == FORM_REAL ? twist_set_real(&z->twist, z->m, z->k, prec) : twist_set_complex(&z->twist, z->m, z->k, prec));
+}
+
+block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d)
+{
+    form f = m == 0 ? FORM_PLAIN : real ? FORM_REAL : FORM_COMPLEX;
     block_status result = BLOCK_NO_MEMORY;
-    number *unit = NULL;
+    number *unit = NULL, *zero = NULL;
     sector_net net;
     memset(z, 0, sizeof *z);
     z->m = m;
-    z->k = k;
-    z->rings = block_rings(s);
+    z->k = numbers->k;
+    z->mesh = numbers->scheme->mesh;
+    z->rings = scheme_closed_rings(numbers->scheme);
     twist_init(&z->twist);
     z->unknowns = malloc((size_t)(sector_size(z->rings) + 1) * sizeof *z->unknowns);
     if (z->unknowns)
-        z->n = list_unknowns(z->unknowns, z->rings, m == 0);
-    if (!sector_net_make(&net, z->rings, m ? &z->twist : NULL) || !z->unknowns)
+        z->n = list_unknowns(z->unknowns, z->mesh, z->rings, f);
+    if (!sector_net_make(&net, z->mesh, z->k == mesh_regular_valence(z->mesh), z->rings, m ? &z->twist : NULL) || !z->unknowns || !set_twist(z, f, numbers->prec))
         goto done;
     z->entry = number_array_new((size_t)z->n * (size_t)z->n);
+    if (f == FORM_COMPLEX)
+        z->imaginary = number_array_new((size_t)z->n * (size_t)z->n);
     unit = number_array_new((size_t)z->n);
-    if (z->entry && unit && (m == 0 || twist_set(&z->twist, m, k, prec)))
-        result = fill(z, &net, unit, mask, centre, ring, prec);
+    zero = number_array_new((size_t)z->n);
+    if (z->entry && unit && zero && (f != FORM_COMPLEX || z->imaginary)) {
+        status s = scheme_numbers_set_frequency(numbers, m, m ? &z->twist : NULL, d);
+        result = s == STATUS_OK ? fill(z, &net, unit, zero, numbers) : s == STATUS_BAD_INPUT ? BLOCK_BAD_INPUT : BLOCK_NO_MEMORY;
+    }
 done:
     if (unit)
         number_array_free(unit, (size_t)z->n);
+    if (zero)
+        number_array_free(zero, (size_t)z->n);
     sector_net_free(&net);
     return result;
 }
@@ -131,6 +166,8 @@ void block_free(block *z)
 {
     if (z->entry)
         number_array_free(z->entry, (size_t)z->n * (size_t)z->n);
+    if (z->imaginary)
+        number_array_free(z->imaginary, (size_t)z->n * (size_t)z->n);
     free(z->unknowns);
     twist_clear(&z->twist);
     memset(z, 0, sizeof *z);

@@ -3,43 +3,45 @@
 #ifndef LIB_BLOCK_H
 #define LIB_BLOCK_H
 
-#include "scheme.h"
-#include "sector.h"
+#include "step.h"
 
 #define block_make NUMBER_NAME(block_make)
 #define block_free NUMBER_NAME(block_free)
+#define block_from_subdivide NUMBER_NAME(block_from_subdivide)
 #define block_net NUMBER_NAME(block_net)
 
-/* What an unknown of a block says of the value at its point: in the real form a point on the spoke has y = 0, one
-   on the bisector is r (u, 1), and any other shares x and y (two unknowns, x first) with its mirror image. */
-typedef enum { UNKNOWN_CENTRE, UNKNOWN_PLAIN, UNKNOWN_SPOKE, UNKNOWN_BISECTOR, UNKNOWN_X, UNKNOWN_Y } unknown_kind;
+/* What an unknown of a block says of the value at its point.  Plain nets: the value.  Real form: on a spoke y = 0; on
+   the bisector the value is r (u, 1); any other point shares x and y (two unknowns, x first) with its mirror image.
+   Complex form: the complex value. */
+typedef enum { UNKNOWN_CENTRE, UNKNOWN_PLAIN, UNKNOWN_SPOKE, UNKNOWN_BISECTOR, UNKNOWN_X, UNKNOWN_Y, UNKNOWN_COMPLEX } unknown_kind;
 
 typedef struct {
     unknown_kind kind;
     int a, b;
 } unknown;
 
-/* The block of rotation factor exp(2 pi i m / k) on the rings 1..rings: a real n x n matrix, row by row. */
+/* The block of rotation factor exp(2 pi i m / k) on the rings 1..rings: an n x n matrix, row by row; entry[i n + j] is
+   what unknown j contributes to the new unknown i.  In the complex form imaginary has the imaginary parts. */
 typedef struct {
     long m, k;
+    mesh_kind mesh;
     int rings;
     int n;
     unknown *unknowns;
-    number *entry; /* entry[i * n + j]: what unknown j contributes to the new unknown i */
+    number *entry;
+    number *imaginary; /* NULL unless in complex form */
     twist twist;
 } block;
 
-/* How many rings are closed under subdivision and carry all eigenvalues that are not 0. */
-static inline int block_rings(const scheme *s) { return s->reach > 1 ? s->reach : 1; }
-
-/* 0 <= m <= k/2; for m = 0 unknown 0 is the centre, and the weights of its rule are those given (else unused).
+/* 0 <= m <= k/2.  Sets the frequency of `numbers`.  In the real form (only for mirror-symmetric schemes) if `real`.
    On any status block_free. */
-typedef enum { BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_MEMORY } block_status;
-block_status block_make(block *z, const scheme *s, const mask_numbers *mask, const number *centre, const number *ring, long m, long k, long prec);
+typedef enum { BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_CENTRE_RULE, BLOCK_BAD_INPUT, BLOCK_NO_MEMORY } block_status;
+block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d);
 void block_free(block *z);
+block_status block_from_subdivide(subdivide_status s);
 
-/* Writes the net with the given unknowns (n values) into the rings of `net` that the block has; net->twist must be
-   the block's. */
-void block_net(sector_net *net, const block *z, const number *values, long prec);
+/* Writes the net with the given unknowns into the rings of `net` that the block has; net->twist must be the block's
+   (NULL for m = 0).  imaginary is NULL unless in complex form. */
+void block_net(sector_net *net, const block *z, const number *values, const number *imaginary, long prec);
 
 #endif

@@ -8,34 +8,58 @@ static block_status from_sector(sector_status s)
     return s == SECTOR_OK ? BLOCK_OK : BLOCK_OPPOSITE;
 }
 
-/* Computes the rings known + 1 .. upto of the net, which must need no other rings than 1 .. known. */
-static block_status extend(sector_net *net, const mask_numbers *mask, const number *eigenvalue, int known, int upto, long prec)
+static void copy_point(sector_net *to, const sector_net *from, int a, int b)
 {
-    for (int j = known + 1; j <= upto; j++)
-        for (int b = 0; b < j; b++) {
-            int at = sector_index(j - b, b);
-            sector_status s = sector_refined_value(&net->x[at], &net->y[at], net, mask, j - b, b, prec);
-            if (s != SECTOR_OK)
-                return from_sector(s);
-            number_div(&net->x[at], &net->x[at], eigenvalue, prec);
-            number_div(&net->y[at], &net->y[at], eigenvalue, prec);
-            if (number_lacks_memory(&net->x[at]) || number_lacks_memory(&net->y[at]))
+    number_set(&to->x[sector_index(to, a, b)], &from->x[sector_index(from, a, b)]);
+    number_set(&to->y[sector_index(to, a, b)], &from->y[sector_index(from, a, b)]);
+}
+
+/* wide = the rings 1..known of net, and beyond them, up to `upto`, S net / eigenvalue. */
+static block_status extend(sector_net *wide, const sector_net *net, int known, int upto, const number *eigenvalue, const scheme_numbers *numbers)
+{
+    long prec = numbers->prec;
+    subdivide_status s = scheme_subdivide(wide, net, numbers, upto);
+    if (s != SUBDIVIDE_OK)
+        return block_from_subdivide(s);
+    for (int a = 1; a <= upto; a++)
+        for (int b = 0; b <= upto; b++) {
+            number *x = &wide->x[sector_index(wide, a, b)], *y = &wide->y[sector_index(wide, a, b)];
+            if (!mesh_in_sector(net->mesh, a, b) || mesh_ring(net->mesh, a, b) > upto)
+                continue;
+            if (mesh_ring(net->mesh, a, b) <= known) {
+                copy_point(wide, net, a, b);
+            } else {
+                number_div(x, x, eigenvalue, prec);
+                number_div(y, y, eigenvalue, prec);
+            }
+            if (number_lacks_memory(x) || number_lacks_memory(y))
                 return BLOCK_NO_MEMORY;
         }
     return BLOCK_OK;
 }
 
-/* New values on ring j use old rings up to floor((j + reach) / 2) <= known, if j <= 2 known + 1 - reach. */
-block_status charnet_make(sector_net *net, const block *b, const number *box, const mask_numbers *mask, int reach, int rings, long prec)
+/* How far a step can go: the most rings whose new values need no more than the known ones. */
+static int reachable(const scheme *s, int known, int wanted)
+{
+    int upto = known;
+    while (upto < wanted && scheme_rings_needed(s, upto + 1) <= known)
+        upto++;
+    return upto;
+}
+
+block_status charnet_make(sector_net *net, const block *b, const number *box, const scheme_numbers *numbers, int rings)
 {
     block_status s = BLOCK_OK;
     int known = b->rings;
-    if (!sector_net_make(net, rings > known ? rings : known, &b->twist))
+    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, &b->twist))
         return BLOCK_NO_MEMORY;
-    block_net(net, b, box, prec);
+    block_net(net, b, box, NULL, numbers->prec);
     while (s == BLOCK_OK && known < rings) {
-        int upto = 2 * known + 1 - reach < rings ? 2 * known + 1 - reach : rings;
-        s = extend(net, mask, &box[b->n], known, upto, prec);
+        int upto = reachable(numbers->scheme, known, rings);
+        sector_net wide;
+        s = extend(&wide, net, known, upto, &box[b->n], numbers);
+        sector_net_free(net);
+        *net = wide;
         known = upto;
     }
     return s;

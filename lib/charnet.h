@@ -10,9 +10,10 @@
 #define charnet_windows_make NUMBER_NAME(charnet_windows_make)
 #define charnet_windows_free NUMBER_NAME(charnet_windows_free)
 
-/* net = the eigenvector `box` (n + 1 numbers: x, then the eigenvalue) of the block b, extended to `rings` rings by
-   the scheme itself: V = S V / eigenvalue.  net->twist is b's.  On any status sector_net_free. */
-block_status charnet_make(sector_net *net, const block *b, const number *box, const mask_numbers *mask, int reach, int rings, long prec);
+/* net = the eigenvector `box` (n + 1 numbers: x, then the eigenvalue) of the block b (in real form), extended to `rings`
+   rings by the scheme itself: V = S V / eigenvalue.  The numbers must be set to b's frequency.  net->twist is b's.
+   On any status sector_net_free. */
+block_status charnet_make(sector_net *net, const block *b, const number *box, const scheme_numbers *numbers, int rings);
 
 /* The thin values of one net (values or differences) in the windows of some elements, and how far they may be from
    the true ones: |true - thin| <= radius, by component. */

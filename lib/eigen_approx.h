@@ -8,7 +8,7 @@
 #include "../bigfloat/truth.h"
 
 /* The eigenvalue of largest modulus of the n x n matrix b (row by row), if it is real and simple, and its
-   eigenvector x, scaled so that its largest component, number *pivot, is 1.  false: not found, or no memory. */
+   eigenvector x, scaled so that its largest component, number *pivot, is 1. */
 truth eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const double *b, int n);
 
 /* About the largest modulus of an eigenvalue of b (0 for n = 0).  NAN: no memory. */

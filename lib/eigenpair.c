@@ -6,6 +6,7 @@
 
 #include "eigen_approx.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -203,23 +204,49 @@ static truth start(workspace *w, double *work, eigenpair_choice *choice, long pr
     return TRUTH_TRUE;
 }
 
-/* approximation -= Y F(approximation), about 30 bits better each time; returns the size of the step. */
-static double improve(workspace *w, long prec)
+/* The least n with |x| <= 2^(n - unit) for all numbers of x, at least 0; a large number if there is none. */
+static long bits_above(const number *x, long unit, long prec)
 {
-    double step = 0;
+    long bits = LONG_MAX;
+    number size;
+    integer m;
+    number_init(&size);
+    integer_init(&m);
+    number_magnitude_upper(&size, x, prec);
+    if (number_upper_grid(&m, &size, unit))
+        bits = (long)integer_bits(&m);
+    number_clear(&size);
+    integer_clear(&m);
+    return bits;
+}
+
+static long largest_bits(const workspace *w, long unit, long prec)
+{
+    long most = 0;
+    for (int l = 0; l < w->n; l++) {
+        long bits = bits_above(&w->image[l], unit, prec);
+        most = bits > most ? bits : most;
+    }
+    return most;
+}
+
+/* approximation -= Y F(approximation), about 30 bits better each time; returns the size of the step in bits above
+   2^-unit. */
+static long improve(workspace *w, long unit, long prec)
+{
+    long size;
     number zero;
     number_init(&zero);
     evaluate(w, w->approximation, prec);
     krawczyk(w, &zero, prec);
+    size = largest_bits(w, unit, prec);
     for (int l = 0; l < w->n; l++) {
         number *z = &w->approximation[component(w, l)];
-        double size = fabs(number_mid_approx(&w->image[l]));
         number_add(z, z, &w->image[l], prec);
         number_midpoint(z, z, prec);
-        step = size > step ? size : step;
     }
     number_clear(&zero);
-    return step;
+    return size;
 }
 
 /* Takes the approximation over as integers; the radius starts at the size of -Y F there and grows until the proof
@@ -227,7 +254,7 @@ static double improve(workspace *w, long prec)
 static truth settle(workspace *w, eigenpair_choice *choice, long prec)
 {
     number *box = number_array_new((size_t)w->n + 1);
-    double error = 0;
+    long bits = 0;
     truth proved = box ? TRUTH_UNKNOWN : TRUTH_FALSE;
     for (int l = 0; proved == TRUTH_UNKNOWN && l < w->n; l++)
         if (!number_mid_grid(&choice->approximation[l], &w->approximation[component(w, l)], choice->grid))
@@ -238,14 +265,10 @@ static truth settle(workspace *w, eigenpair_choice *choice, long prec)
         load(w, choice, prec);
         evaluate(w, w->approximation, prec);
         krawczyk(w, &zero, prec);
-        for (int l = 0; l < w->n; l++) {
-            error = fmax(error, fabs(number_upper_bound(&w->image[l])));
-            error = fmax(error, fabs(number_lower_bound(&w->image[l])));
-        }
+        bits = largest_bits(w, choice->grid, prec) + 1;
         number_clear(&zero);
     }
-    long bits = choice->grid + (error > 0 ? ilogb(error) : -choice->grid) + 2;
-    for (bits = bits < 3 ? 3 : bits; proved == TRUTH_UNKNOWN && bits < choice->grid && error < 1; bits += 2) {
+    for (bits = bits < 3 ? 3 : bits; proved == TRUTH_UNKNOWN && bits < choice->grid; bits += 2) {
         integer_set_si(&choice->radius, 1);
         if (!integer_mul_2exp(&choice->radius, &choice->radius, (unsigned long)bits))
             proved = TRUTH_FALSE;
@@ -268,11 +291,11 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, long g, long
     if (made && work && eigenpair_choice_make(z, n, g)) {
         found = start(&w, work, z, prec);
         if (found == TRUTH_TRUE) {
-            double step = 1, last;
+            long unit = g + 64, step = unit, last;
             do {
                 last = step;
-                step = improve(&w, prec);
-            } while (step < last / 2);
+                step = improve(&w, unit, prec);
+            } while (step < last);
             found = settle(&w, z, prec);
         }
     }

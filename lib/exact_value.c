@@ -61,6 +61,52 @@ exact_status exact_power(exact_value *z, const exact_value *x, long n)
     return finish(z, rational_pow(&z->q, &x->q, n), false);
 }
 
+exact_status exact_modulo(exact_value *z, const exact_value *x, const exact_value *y)
+{
+    bool ok;
+    integer remainder;
+    if (x->is_angle || y->is_angle || !rational_is_integer(&x->q) || !rational_is_integer(&y->q) || rational_is_zero(&y->q))
+        return EXACT_NOT_WHOLE;
+    integer_init(&remainder);
+    ok = integer_fdiv_qr(NULL, &remainder, &x->q.numerator, &y->q.numerator);
+    integer_swap(&z->q.numerator, &remainder);
+    integer_set_si(&z->q.denominator, 1);
+    integer_clear(&remainder);
+    return finish(z, ok, false);
+}
+
+exact_status exact_sqrt(exact_value *z, const exact_value *x)
+{
+    exact_status s = EXACT_NONE;
+    rational root;
+    integer rest, other;
+    if (x->is_angle)
+        return EXACT_NONE;
+    if (rational_sign(&x->q) < 0)
+        return EXACT_NEGATIVE;
+    rational_init(&root);
+    integer_init(&rest);
+    integer_init(&other);
+    if (!integer_sqrt_rem(&root.numerator, &rest, &x->q.numerator) || !integer_sqrt_rem(&root.denominator, &other, &x->q.denominator)) {
+        s = EXACT_NO_MEMORY;
+    } else if (integer_is_zero(&rest) && integer_is_zero(&other)) {
+        rational_swap(&z->q, &root);
+        s = finish(z, true, false);
+    }
+    rational_clear(&root);
+    integer_clear(&rest);
+    integer_clear(&other);
+    return s;
+}
+
+exact_status exact_compare(int *sign, const exact_value *x, const exact_value *y)
+{
+    if (x->is_angle != y->is_angle) /* 0 is no angle, so the sign of one operand may decide */
+        return EXACT_NONE;
+    *sign = rational_cmp(&x->q, &y->q);
+    return EXACT_OK;
+}
+
 /* f = the number of sixths of pi in q pi, modulo 12, if it is whole; else -1. */
 static int sixths(bool *ok, const rational *q)
 {

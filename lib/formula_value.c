@@ -1,6 +1,20 @@
 /* formula_value.c: enclosures where a formula has no exact value. */
 #include "formula_value.h"
 
+#define formula_value NUMBER_NAME(formula_value)
+
+/* What all routines here need. */
+typedef struct {
+    const formula_point *at;
+    long prec;
+    diagnostic *complaint;
+} context;
+
+static status evaluate(number *z, const formula *f, const context *c)
+{
+    return formula_value(z, f, c->at, c->prec, c->complaint);
+}
+
 static void enclose(number *z, const exact_value *x, long prec)
 {
     number_set_rational(z, &x->q, prec);
@@ -13,131 +27,210 @@ static void enclose(number *z, const exact_value *x, long prec)
     }
 }
 
-static status divide(number *z, const number *x, const number *y, const formula *f, long k, long prec, diagnostic *d)
+/* By something that may be 0 the quotient is the whole line: more precision may help.  Only 0 itself is an error. */
+static status divide(number *z, const number *x, const number *y, const formula *f, const context *c)
 {
-    if (number_contains_zero(y) && number_is_finite(y))
-        return diagnostic_set(d, f->line, f->column, "division by something that may be zero at valence k = %ld", k);
-    number_div(z, x, y, prec);
+    if (number_is_zero(y) == TRUTH_TRUE)
+        return formula_complain(f, EXACT_DIVISION_BY_ZERO, c->at, c->complaint);
+    number_div(z, x, y, c->prec);
     return STATUS_OK;
 }
 
-static status binary(number *z, const formula *f, const number *y, long k, long prec, diagnostic *d)
+static status binary(number *z, const number *y, const formula *f, const context *c)
 {
     switch (f->op) {
     case '+':
-        number_add(z, z, y, prec);
+        number_add(z, z, y, c->prec);
         return STATUS_OK;
     case '-':
-        number_sub(z, z, y, prec);
+        number_sub(z, z, y, c->prec);
         return STATUS_OK;
     case '*':
-        number_mul(z, z, y, prec);
+        number_mul(z, z, y, c->prec);
         return STATUS_OK;
     default:
-        return divide(z, z, y, f, k, prec, d);
+        return divide(z, z, y, f, c);
     }
 }
 
-static status power(number *z, const formula *f, long k, long prec, diagnostic *d)
+/* The exponent is an exact whole number: formula_exact has refused anything else. */
+static status power(number *z, const formula *f, const context *c)
 {
-    long n = f->exponent < 0 ? -f->exponent : f->exponent;
-    status s = STATUS_OK;
+    rational exponent;
     number x;
+    status s;
+    rational_init(&exponent);
     number_init(&x);
-    number_set(&x, z);
-    for (long i = 1; i < n; i++)
-        number_mul(z, z, &x, prec);
-    if (f->exponent < 0) {
+    s = formula_exact_rational(&exponent, f->child[1], c->at, c->complaint);
+    if (s == STATUS_OK && (!integer_fits_si(&exponent.numerator) || integer_cmp_si(&exponent.numerator, 1L << 14) > 0 || integer_cmp_si(&exponent.numerator, -(1L << 14)) < 0))
+        s = formula_complain(f, EXACT_TOO_LARGE, c->at, c->complaint);
+    if (s == STATUS_OK)
+        s = evaluate(z, f->child[0], c);
+    if (s == STATUS_OK) {
+        long n = (long)integer_get_si(&exponent.numerator), times = n < 0 ? -n : n;
+        number_set(&x, z);
+        for (long i = 1; i < times; i++)
+            number_mul(z, z, &x, c->prec);
         number_one(&x);
-        s = divide(z, &x, z, f, k, prec, d);
+        if (n < 0)
+            s = divide(z, &x, z, f, c);
     }
+    rational_clear(&exponent);
     number_clear(&x);
     return s;
 }
 
 /* The argument is an exact angle: formula_exact has refused anything else. */
-static status cos_sin(number *z, const formula *f, long k, long prec, diagnostic *d)
+static status cos_sin(number *z, const formula *f, const context *c)
 {
     exact_value angle;
     bool known;
     status s;
     exact_init(&angle);
-    s = formula_exact(&angle, &known, f->left, k, d);
+    s = formula_exact(&angle, &known, f->child[0], c->at, c->complaint);
     if (s == STATUS_OK && f->op == 'c')
-        number_cos_pi(z, &angle.q, prec);
+        number_cos_pi(z, &angle.q, c->prec);
     else if (s == STATUS_OK)
-        number_sin_pi(z, &angle.q, prec);
+        number_sin_pi(z, &angle.q, c->prec);
     exact_clear(&angle);
     return s;
 }
 
-static status inexact(number *z, const formula *f, long k, long prec, diagnostic *d)
+/* The root of something that may be negative is the whole line, of something that is, an error. */
+static status square_root(number *z, const formula *f, const context *c)
 {
-    number y;
+    status s = evaluate(z, f->child[0], c);
+    if (s == STATUS_OK && number_is_negative(z) == TRUTH_TRUE)
+        return formula_complain(f, EXACT_NEGATIVE, c->at, c->complaint);
+    if (s == STATUS_OK)
+        number_sqrt(z, z, c->prec);
+    return s;
+}
+
+static status compare(truth *t, const formula *f, const context *c)
+{
+    number x, y;
     status s;
-    if (f->kind == FORMULA_COS_SIN)
-        return cos_sin(z, f, k, prec, d);
+    truth less, more;
+    number_init(&x);
     number_init(&y);
-    s = NUMBER_NAME(formula_value)(z, f->left, k, prec, d);
-    if (s == STATUS_OK && f->right)
-        s = NUMBER_NAME(formula_value)(&y, f->right, k, prec, d);
-    if (s == STATUS_OK && f->kind == FORMULA_NEGATE)
-        number_neg(z, z);
-    else if (s == STATUS_OK && f->kind == FORMULA_POWER)
-        s = power(z, f, k, prec, d);
-    else if (s == STATUS_OK)
-        s = binary(z, f, &y, k, prec, d);
+    s = evaluate(&x, f->child[0], c);
+    if (s == STATUS_OK)
+        s = evaluate(&y, f->child[1], c);
+    less = number_less(&x, &y);
+    more = number_less(&y, &x);
+    *t = TRUTH_UNKNOWN;
+    if (less == TRUTH_TRUE || more == TRUTH_TRUE)
+        *t = formula_comparison_holds(f->op, less == TRUTH_TRUE ? -1 : 1) ? TRUTH_TRUE : TRUTH_FALSE;
+    number_clear(&x);
     number_clear(&y);
     return s;
 }
 
-status NUMBER_NAME(formula_value)(number *z, const formula *f, long k, long prec, diagnostic *d)
+static status condition(truth *t, const formula *f, const context *c)
 {
+    bool holds, known;
+    status s = formula_exact_condition(&holds, &known, f, c->at, c->complaint);
+    if (s != STATUS_OK || known) {
+        *t = holds ? TRUTH_TRUE : TRUTH_FALSE;
+        return s;
+    }
+    if (f->kind == FORMULA_COMPARE)
+        return compare(t, f, c);
+    *t = f->kind == FORMULA_AND ? TRUTH_TRUE : TRUTH_FALSE;
+    for (int i = 0; s == STATUS_OK && i < f->children; i++) {
+        truth one;
+        s = condition(&one, f->child[i], c);
+        *t = f->kind == FORMULA_AND ? truth_and(*t, one) : truth_or(*t, one);
+    }
+    return s;
+}
+
+static status cases(number *z, const formula *f, const context *c)
+{
+    for (int i = 0; i < f->children; i += 2) {
+        truth t = TRUTH_TRUE;
+        status s = f->child[i] ? condition(&t, f->child[i], c) : STATUS_OK;
+        if (s != STATUS_OK)
+            return s;
+        if (t == TRUTH_UNKNOWN) { /* any case may apply: the whole line, until more precision tells */
+            number_indeterminate(z);
+            return STATUS_OK;
+        }
+        if (t == TRUTH_TRUE)
+            return evaluate(z, f->child[i + 1], c);
+    }
+    return formula_complain(f, EXACT_NO_CASE, c->at, c->complaint);
+}
+
+/* Operations on one operand or from the left on several. */
+static status fold(number *z, const formula *f, const context *c)
+{
+    number y;
+    status s = evaluate(z, f->child[0], c);
+    number_init(&y);
+    if (s == STATUS_OK && f->kind == FORMULA_NEGATE)
+        number_neg(z, z);
+    if (s == STATUS_OK && f->kind == FORMULA_ABS)
+        number_abs(z, z);
+    for (int i = 1; s == STATUS_OK && i < f->children; i++) {
+        s = evaluate(&y, f->child[i], c);
+        if (s != STATUS_OK)
+            break;
+        if (f->kind == FORMULA_BINARY)
+            s = binary(z, &y, f, c);
+        else if (f->kind == FORMULA_MIN)
+            number_min(z, z, &y, c->prec);
+        else
+            number_max(z, z, &y, c->prec);
+    }
+    number_clear(&y);
+    return s;
+}
+
+static void set_interval(number *z, const formula *f, long prec)
+{
+    number high;
+    number_init(&high);
+    number_set_rational(z, &f->number, prec);
+    number_set_rational(&high, &f->high, prec);
+    number_hull(z, z, &high, prec);
+    number_clear(&high);
+}
+
+static status inexact(number *z, const formula *f, const context *c)
+{
+    switch (f->kind) {
+    case FORMULA_REFERENCE:
+        return evaluate(z, f->definition, c);
+    case FORMULA_CASES:
+        return cases(z, f, c);
+    case FORMULA_COS_SIN:
+        return cos_sin(z, f, c);
+    case FORMULA_SQRT:
+        return square_root(z, f, c);
+    case FORMULA_POWER:
+        return power(z, f, c);
+    case FORMULA_INTERVAL:
+        set_interval(z, f, c->prec);
+        return STATUS_OK;
+    default:
+        return fold(z, f, c);
+    }
+}
+
+status formula_value(number *z, const formula *f, const formula_point *at, long prec, diagnostic *d)
+{
+    context c = {at, prec, d};
     exact_value exact;
     bool known;
     status s;
     exact_init(&exact);
-    s = formula_exact(&exact, &known, f, k, d);
+    s = formula_exact(&exact, &known, f, at, d);
     if (s == STATUS_OK && known)
         enclose(z, &exact, prec);
     else if (s == STATUS_OK)
-        s = inexact(z, f, k, prec, d);
+        s = inexact(z, f, &c);
     exact_clear(&exact);
     return s == STATUS_OK && number_lacks_memory(z) ? STATUS_NO_MEMORY : s;
-}
-
-/* rest = 1 - f, exactly as far as f is exact. */
-static status value_of_rest(number *rest, const number *given, const formula *f, long k, long prec, diagnostic *d)
-{
-    exact_value x, one;
-    bool known;
-    status s;
-    exact_init(&x);
-    exact_init(&one);
-    s = formula_exact(&x, &known, f, k, d);
-    if (s == STATUS_OK && !rational_set_si(&one.q, 1, 1))
-        s = STATUS_NO_MEMORY;
-    if (s == STATUS_OK && known && !x.is_angle) {
-        exact_status e = exact_binary(&one, &one, '-', &x);
-        if (e == EXACT_OK)
-            enclose(rest, &one, prec);
-        else
-            s = formula_complain(f, e, k, d);
-    } else if (s == STATUS_OK) {
-        number_one(rest);
-        number_sub(rest, rest, given, prec);
-    }
-    exact_clear(&x);
-    exact_clear(&one);
-    return s;
-}
-
-status NUMBER_NAME(scheme_weights)(number *centre, number *ring, const scheme *s, long k, long prec, diagnostic *d)
-{
-    const formula *f = s->centre_weight ? s->centre_weight : s->ring_weight;
-    number *given = s->centre_weight ? centre : ring, *rest = s->centre_weight ? ring : centre;
-    status result = NUMBER_NAME(formula_value)(given, f, k, prec, d);
-    if (result == STATUS_OK)
-        result = value_of_rest(rest, given, f, k, prec, d);
-    return result == STATUS_OK && number_lacks_memory(rest) ? STATUS_NO_MEMORY : result;
 }

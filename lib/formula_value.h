@@ -3,12 +3,11 @@
 #define LIB_FORMULA_VALUE_H
 
 #include "../bigfloat/number.h"
-#include "scheme.h"
+#include "formula.h"
 
-/* z encloses the value of f at valence k; evaluated as lib/scheme.md says, exactly as far as it is exact. */
-status NUMBER_NAME(formula_value)(number *z, const formula *f, long k, long prec, diagnostic *d);
-
-/* The total weights of the rule at the extraordinary vertex at valence k: centre + ring = 1. */
-status NUMBER_NAME(scheme_weights)(number *centre, number *ring, const scheme *s, long k, long prec, diagnostic *d);
+/* z encloses the value of f at the point; evaluated as lib/scheme.md says, exactly as far as it is exact.
+   What enclosures leave open (a divisor that may be 0, a root that may be of something negative, a comparison that
+   cannot be decided) gives the whole line; bad input is what is wrong at every precision. */
+status NUMBER_NAME(formula_value)(number *z, const formula *f, const formula_point *at, long prec, diagnostic *d);
 
 #endif

@@ -4,29 +4,53 @@ LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
-  lib/regular.h lib/regular.c \
   lib/exact_value.h lib/exact_value.c \
-  lib/formula.h lib/formula.c \
+  lib/formula.h lib/formula.c lib/formula_read.c \
   lib/text.h lib/text.c \
+  lib/mesh.h lib/mesh.c \
+  lib/power.h lib/power.c \
+  lib/regular.h lib/regular.c \
+  lib/comparison.h lib/comparison.c \
+  lib/stability.h lib/stability.c \
   lib/scheme.h lib/scheme.c \
+  lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \
+  lib/scheme_compose.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
+  lib/schur_approx.h lib/schur_approx.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
   lib/formula_value.h lib/formula_value.c \
   lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
+  lib/complex_matrix.h lib/complex_matrix.c \
+  lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
   lib/charnet.h lib/charnet.c
 
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
-  lib/catalogue/loop.scheme
+  lib/catalogue/loop.scheme \
+  lib/catalogue/loop-warren.scheme \
+  lib/catalogue/modified-loop.scheme \
+  lib/catalogue/loop-ring.scheme \
+  lib/catalogue/loop-spiral.scheme \
+  lib/catalogue/butterfly.scheme \
+  lib/catalogue/modified-butterfly.scheme \
+  lib/catalogue/catmull-clark.scheme \
+  lib/catalogue/catmull-clark-weights.scheme \
+  lib/catalogue/doo-sabin.scheme \
+  lib/catalogue/doo-sabin-spectrum.scheme \
+  lib/catalogue/midpoint.scheme \
+  lib/catalogue/wave.scheme \
+  lib/catalogue/wave-valence.scheme \
+  lib/catalogue/kobbelt.scheme
 
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
 
@@ -41,5 +65,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

@@ -58,6 +58,18 @@ static bool list_elements(ring *z)
     return true;
 }
 
+/* The farthest ring on which a rule replaces the mask, whatever the valence: points used after the first subdivision
+   must lie beyond it. */
+static int farthest_rule(const scheme *s)
+{
+    int farthest = 0;
+    for (int i = 0; i < s->steps[0].rule_count; i++) {
+        const rule *r = &s->steps[0].rules[i];
+        farthest = larger(farthest, r->at_centre ? 0 : mesh_ring(s->mesh, r->point.a, r->point.b));
+    }
+    return farthest;
+}
+
 bool ring_make(ring *z, const scheme *s, const regular_masks *masks)
 {
     int reach;
@@ -72,7 +84,7 @@ bool ring_make(ring *z, const scheme *s, const regular_masks *masks)
     }
     reach = reach_of(z);
     z->radius = 1;
-    while (reach > z->radius || reach + s->reach >= 2 * (z->radius + 1) || reach >= 2 * z->radius)
+    while (reach > z->radius || reach + s->steps[0].reach >= 2 * (z->radius + 1) || reach + farthest_rule(s) >= 2 * z->radius)
         z->radius++;
     z->rings = 2 * z->radius + reach;
     return list_elements(z);

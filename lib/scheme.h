@@ -1,33 +1,91 @@
 /* scheme.h: a subdivision scheme as its file says it, exact and ready to use (lib/scheme.md).
 
-   A `scheme` denotes the stationary subdivision rules on all meshes: the regular mask and the rule at an
-   extraordinary vertex as formulas in the valence.  What always holds after scheme_read: the mask is affine
-   invariant, invariant under rotation by a sixth of a turn and under reflection, all exactly. */
+   A `scheme` denotes stationary subdivision rules on all meshes of its kind: one subdivision is one *step* with a
+   mask and special rules, or several (refine, smooth ..., average).  What always holds after scheme_read: every
+   step's mask sums to 1 on each class of points; the composed regular mask is invariant under the rotations of
+   the regular complex. */
 #ifndef LIB_SCHEME_H
 #define LIB_SCHEME_H
 
 #include "formula.h"
 #include "laurent.h"
+#include "mesh.h"
 #include "text.h"
 
 #define SCHEME_NAME_MAX 64
-/* The largest |point| that a mask may have. */
+/* The largest distance that a point of a mask may have from 0, along each axis. */
 #define SCHEME_MAX_REACH 8
+#define SCHEME_MAX_STEPS 34
+#define SCHEME_MAX_RULES 16
+#define SCHEME_MAX_SOURCES 32
+
+typedef enum {
+    SOURCE_CENTRE,   /* the extraordinary vertex */
+    SOURCE_ALL,      /* the points of that label in all sectors, equal shares of the weight */
+    SOURCE_POINT,    /* the point of that label in the sector `offset` further on */
+    SOURCE_SECTORS,  /* the points of that label in the sectors j = 0..k-1 further on, weights depending on j */
+    SOURCE_SPECTRUM  /* the same by their discrete Fourier transform: sum of weight_j exp(2 pi i m j / k) */
+} source_kind;
+
+typedef struct {
+    source_kind kind;
+    lattice point;
+    int offset;
+    formula *weight;    /* NULL: the rest to 1 */
+    formula *imaginary; /* of SOURCE_SPECTRUM: NULL = real */
+} source;
+
+/* What the new value at one point is, in place of the mask. */
+typedef struct {
+    bool at_centre;
+    lattice point;      /* if not at_centre: a label of the sector; the same rule holds in every sector */
+    formula *condition; /* NULL: always; else when it holds (depends on k) */
+    source sources[SCHEME_MAX_SOURCES];
+    int count;
+    bool spectrum_takes_rest; /* no weight is the rest: the spectrum's value at m = 0 is, whatever its formula says */
+    long line;
+} rule;
+
+/* new(x) = sum of mask(x - dilation y) old(y) on labels, unless a rule says otherwise. */
+typedef struct {
+    mesh_kind from, to;
+    int dilation;
+    laurent mask;
+    int reach;     /* new points on ring j use old rings up to floor((j + reach) / dilation) */
+    rule *rules;   /* the first whose condition holds counts */
+    int rule_count;
+} scheme_step;
 
 typedef struct {
     char name[SCHEME_NAME_MAX + 1];
     source_text source;
-    laurent mask;          /* p'(x) = sum mask(x - 2y) p(y) */
-    int reach;             /* h: the largest |point| of the mask */
-    /* The rule at the extraordinary vertex: total weights, one of them NULL = the rest to 1. */
-    formula *centre_weight;
-    formula *ring_weight;
+    definitions definitions;
+    mesh_kind mesh;
+    scheme_step steps[SCHEME_MAX_STEPS];
+    int step_count;
+    laurent mask;          /* of all steps together */
+    bool mirror_symmetric; /* mask and rules are evidently invariant under reflection: the real form applies */
 } scheme;
+
+/* A parameter's value from the command line: "NAME=VALUE". */
+typedef struct {
+    const char *const *settings;
+    int count;
+} scheme_settings;
 
 void scheme_init(scheme *z);
 void scheme_clear(scheme *z);
 
-/* Reads the `length` bytes of a scheme file. */
-status scheme_read(scheme *z, const char *bytes, size_t length, diagnostic *d);
+/* Reads the `length` bytes of a scheme file; settings (NULL = none) replace values of its parameters. */
+status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_settings *settings, diagnostic *d);
+
+/* The rule that holds for a new point at valence k, NULL = the mask. */
+status scheme_find_rule(const rule **z, const scheme_step *s, bool at_centre, lattice p, long k, diagnostic *d);
+
+/* How many old rings new values on rings up to `ring` (and at the centre) need: in one step, and over all steps. */
+int scheme_step_rings_needed(const scheme_step *s, int ring);
+int scheme_rings_needed(const scheme *s, int ring);
+/* The least number of rings that are closed under subdivision such that farther ones only add eigenvalues 0. */
+int scheme_closed_rings(const scheme *s);
 
 #endif

@@ -1,69 +1,143 @@
 /* sector.c: leaving the sector costs a twist; subdivision is the scheme's own mask. */
 #include "sector.h"
 
+#include <string.h>
+
+void pair_matrix_init(pair_matrix *z)
+{
+    number_init(&z->xx);
+    number_init(&z->xy);
+    number_init(&z->yx);
+    number_init(&z->yy);
+}
+
+void pair_matrix_clear(pair_matrix *z)
+{
+    number_clear(&z->xx);
+    number_clear(&z->xy);
+    number_clear(&z->yx);
+    number_clear(&z->yy);
+}
+
+void pair_matrix_apply(number *x, number *y, const pair_matrix *t, long prec)
+{
+    number p, q;
+    number_init(&p);
+    number_init(&q);
+    number_mul(&p, &t->xx, x, prec);
+    number_addmul(&p, &t->xy, y, prec);
+    number_mul(&q, &t->yx, x, prec);
+    number_addmul(&q, &t->yy, y, prec);
+    number_swap(x, &p);
+    number_swap(y, &q);
+    number_clear(&p);
+    number_clear(&q);
+}
+
+/* z = s t (t first), column by column. */
+void pair_matrix_multiply(pair_matrix *z, const pair_matrix *s, const pair_matrix *t, long prec)
+{
+    pair_matrix w;
+    pair_matrix_init(&w);
+    number_set(&w.xx, &t->xx);
+    number_set(&w.yx, &t->yx);
+    number_set(&w.xy, &t->xy);
+    number_set(&w.yy, &t->yy);
+    pair_matrix_apply(&w.xx, &w.yx, s, prec);
+    pair_matrix_apply(&w.xy, &w.yy, s, prec);
+    pair_matrix_clear(z);
+    *z = w;
+}
+
 void twist_init(twist *t)
 {
+    t->complex_form = false;
     number_init(&t->u);
-    number_init(&t->v);
-    number_init(&t->c);
-    number_init(&t->n);
+    pair_matrix_init(&t->forth);
+    pair_matrix_init(&t->back);
 }
 
 void twist_clear(twist *t)
 {
     number_clear(&t->u);
-    number_clear(&t->v);
-    number_clear(&t->c);
-    number_clear(&t->n);
+    pair_matrix_clear(&t->forth);
+    pair_matrix_clear(&t->back);
 }
 
-bool twist_set(twist *t, long m, long k, long prec)
+/* forth = (c, -n; v, c), of determinant 1, so back = (c, n; -v, c). */
+static void set_matrices(twist *t, const number *c, const number *n, const number *v)
+{
+    number_set(&t->forth.xx, c);
+    number_neg(&t->forth.xy, n);
+    number_set(&t->forth.yx, v);
+    number_set(&t->forth.yy, c);
+    number_set(&t->back.xx, c);
+    number_set(&t->back.xy, n);
+    number_neg(&t->back.yx, v);
+    number_set(&t->back.yy, c);
+}
+
+/* In the real form v = 2u, c = cos w = v u - 1, n = 2 sin^2(w/2) u = v (1 - u u). */
+bool twist_set_real(twist *t, long m, long k, long prec)
 {
     bool ok;
     rational angle;
-    number one;
+    number one, v, c, n;
     rational_init(&angle);
     number_init(&one);
+    number_init(&v);
+    number_init(&c);
+    number_init(&n);
     number_one(&one);
     ok = rational_set_si(&angle, m, k);
     if (ok) {
         number_cos_pi(&t->u, &angle, prec);
-        number_add(&t->v, &t->u, &t->u, prec);
-        number_mul(&t->c, &t->v, &t->u, prec);
-        number_sub(&t->c, &t->c, &one, prec);
-        number_mul(&t->n, &t->u, &t->u, prec);
-        number_sub(&t->n, &one, &t->n, prec);
-        number_mul(&t->n, &t->v, &t->n, prec);
-        ok = !number_lacks_memory(&t->n);
+        number_add(&v, &t->u, &t->u, prec);
+        number_mul(&c, &v, &t->u, prec);
+        number_sub(&c, &c, &one, prec);
+        number_mul(&n, &t->u, &t->u, prec);
+        number_sub(&n, &one, &n, prec);
+        number_mul(&n, &v, &n, prec);
+        set_matrices(t, &c, &n, &v);
+        t->complex_form = false;
+        ok = !number_lacks_memory(&n);
     }
     rational_clear(&angle);
     number_clear(&one);
+    number_clear(&v);
+    number_clear(&c);
+    number_clear(&n);
+    return ok;
+}
+
+bool twist_set_complex(twist *t, long m, long k, long prec)
+{
+    bool ok;
+    rational angle;
+    number c, s;
+    rational_init(&angle);
+    number_init(&c);
+    number_init(&s);
+    ok = rational_set_si(&angle, m, k) && rational_mul_2exp(&angle, &angle, 1);
+    if (ok) {
+        number_cos_pi(&c, &angle, prec);
+        number_sin_pi(&s, &angle, prec);
+        set_matrices(t, &c, &s, &s);
+        t->complex_form = true;
+        ok = !number_lacks_memory(&c) && !number_lacks_memory(&s);
+    }
+    rational_clear(&angle);
+    number_clear(&c);
+    number_clear(&s);
     return ok;
 }
 
 void twist_apply(number *x, number *y, const twist *t, int turns, long prec)
 {
-    number p, q;
-    number_init(&p);
-    number_init(&q);
-    for (; turns > 0; turns--) {
-        number_mul(&p, &t->c, x, prec);
-        number_submul(&p, &t->n, y, prec);
-        number_mul(&q, &t->v, x, prec);
-        number_addmul(&q, &t->c, y, prec);
-        number_swap(x, &p);
-        number_swap(y, &q);
-    }
-    for (; turns < 0; turns++) {
-        number_mul(&p, &t->c, x, prec);
-        number_addmul(&p, &t->n, y, prec);
-        number_mul(&q, &t->c, y, prec);
-        number_submul(&q, &t->v, x, prec);
-        number_swap(x, &p);
-        number_swap(y, &q);
-    }
-    number_clear(&p);
-    number_clear(&q);
+    for (; turns > 0; turns--)
+        pair_matrix_apply(x, y, &t->forth, prec);
+    for (; turns < 0; turns++)
+        pair_matrix_apply(x, y, &t->back, prec);
 }
 
 bool mask_numbers_make(mask_numbers *z, const laurent *mask, long prec)
@@ -89,8 +163,10 @@ void mask_numbers_free(mask_numbers *z)
     z->weight = NULL;
 }
 
-bool sector_net_make(sector_net *z, int rings, const twist *t)
+bool sector_net_make(sector_net *z, mesh_kind mesh, bool regular, int rings, const twist *t)
 {
+    z->mesh = mesh;
+    z->regular = regular;
     z->rings = rings;
     z->twist = t;
     number_init(&z->centre);
@@ -109,48 +185,27 @@ void sector_net_free(sector_net *z)
     z->x = z->y = NULL;
 }
 
-/* Brings (a,b) into the sector; *turns is the power of t that its value has. */
-static sector_status reduce(int *a, int *b, int *turns)
-{
-    *turns = 0;
-    while (*a < 1 || *b < 0) {
-        int p = *a, q = *b;
-        if (q >= 1) { /* a <= 0: across the spoke (0,1) */
-            *a = p + q;
-            *b = -p;
-            ++*turns;
-        } else if (q < 0 && p >= 0) { /* across the spoke (1,0) */
-            *a = -q;
-            *b = p + q;
-            --*turns;
-        } else {
-            return SECTOR_OPPOSITE;
-        }
-    }
-    return SECTOR_OK;
-}
-
 sector_status sector_value(number *x, number *y, const sector_net *z, int a, int b, long prec)
 {
     int turns;
-    if (a == 0 && b == 0) {
+    if (mesh_is_centre(z->mesh, a, b)) {
         number_set(x, &z->centre);
         number_zero(y);
         return SECTOR_OK;
     }
-    if (reduce(&a, &b, &turns) != SECTOR_OK)
+    if (!mesh_reduce(z->mesh, z->regular, &a, &b, &turns))
         return SECTOR_OPPOSITE;
-    if (a + b > z->rings)
+    if (mesh_ring(z->mesh, a, b) > z->rings)
         return SECTOR_OUTSIDE;
-    number_set(x, &z->x[sector_index(a, b)]);
-    number_set(y, &z->y[sector_index(a, b)]);
+    number_set(x, &z->x[sector_index(z, a, b)]);
+    number_set(y, &z->y[sector_index(z, a, b)]);
     if (z->twist && turns)
         twist_apply(x, y, z->twist, turns, prec);
     return SECTOR_OK;
 }
 
-/* The points y that contribute to x are those with x - 2y in the mask's box. */
-sector_status sector_refined_value(number *x, number *y, const sector_net *z, const mask_numbers *mask, int a, int b, long prec)
+/* The points p that contribute are those with (a,b) - dilation p in the mask's box. */
+sector_status sector_masked_value(number *x, number *y, const sector_net *z, const mask_numbers *mask, int dilation, int a, int b, long prec)
 {
     const laurent *terms = mask->mask;
     sector_status s = SECTOR_OK;
@@ -161,9 +216,9 @@ sector_status sector_refined_value(number *x, number *y, const sector_net *z, co
     number_zero(y);
     for (long i = terms->a0; s == SECTOR_OK && i < terms->a0 + terms->na; i++)
         for (long j = terms->b0; s == SECTOR_OK && j < terms->b0 + terms->nb; j++) {
-            if (((a - i) | (b - j)) & 1 || laurent_is_zero_at(terms, i, j))
+            if ((a - i) % dilation || (b - j) % dilation || laurent_is_zero_at(terms, i, j))
                 continue;
-            s = sector_value(&p, &q, z, (int)(a - i) / 2, (int)(b - j) / 2, prec);
+            s = sector_value(&p, &q, z, (int)(a - i) / dilation, (int)(b - j) / dilation, prec);
             number_addmul(x, mask_numbers_at(mask, i, j), &p, prec);
             if (z->twist)
                 number_addmul(y, mask_numbers_at(mask, i, j), &q, prec);

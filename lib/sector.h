@@ -1,34 +1,53 @@
 /* sector.h: nets on the k-regular complex that rotation multiplies by t = exp(i w), stored on one sector
    (verify/certificate.md, section 5).  Compiled once per number system.
 
-   In the real form a value is a pair (x, y) that stands for x + i sin(w/2) y; then everything depends on
-   u = cos(w/2) alone.  A plain net has t = 1: values are reals (y unused), and the centre counts. */
+   A value is a pair (x, y).  In the *real form*, for mirror-symmetric schemes, it stands for x + i sin(w/2) y, and
+   everything depends on u = cos(w/2) alone; in the *complex form* for x + i y.  Multiplication by t is a 2 x 2
+   matrix in both.  A *plain* net has t = 1: values are reals (y is 0), and the centre counts. */
 #ifndef LIB_SECTOR_H
 #define LIB_SECTOR_H
 
 #include "../bigfloat/number.h"
 #include "laurent.h"
+#include "mesh.h"
 
+#define pair_matrix_init NUMBER_NAME(pair_matrix_init)
+#define pair_matrix_clear NUMBER_NAME(pair_matrix_clear)
+#define pair_matrix_apply NUMBER_NAME(pair_matrix_apply)
+#define pair_matrix_multiply NUMBER_NAME(pair_matrix_multiply)
 #define twist_init NUMBER_NAME(twist_init)
 #define twist_clear NUMBER_NAME(twist_clear)
-#define twist_set NUMBER_NAME(twist_set)
+#define twist_set_real NUMBER_NAME(twist_set_real)
+#define twist_set_complex NUMBER_NAME(twist_set_complex)
 #define twist_apply NUMBER_NAME(twist_apply)
 #define mask_numbers_make NUMBER_NAME(mask_numbers_make)
 #define mask_numbers_free NUMBER_NAME(mask_numbers_free)
 #define sector_net_make NUMBER_NAME(sector_net_make)
 #define sector_net_free NUMBER_NAME(sector_net_free)
 #define sector_value NUMBER_NAME(sector_value)
-#define sector_refined_value NUMBER_NAME(sector_refined_value)
+#define sector_masked_value NUMBER_NAME(sector_masked_value)
 
-/* Multiplication by t: (x, y) -> (c x - n y, v x + c y), of determinant 1; v = 2u, c = cos w, n = 2 sin^2(w/2) u. */
+/* (x, y) -> (xx x + xy y, yx x + yy y) */
 typedef struct {
-    number u, v, c, n;
+    number xx, xy, yx, yy;
+} pair_matrix;
+
+void pair_matrix_init(pair_matrix *z); /* 0 */
+void pair_matrix_clear(pair_matrix *z);
+void pair_matrix_apply(number *x, number *y, const pair_matrix *t, long prec);
+void pair_matrix_multiply(pair_matrix *z, const pair_matrix *s, const pair_matrix *t, long prec);
+
+typedef struct {
+    bool complex_form;
+    number u;             /* cos(w/2), of the real form */
+    pair_matrix forth, back; /* multiplication by t and by 1/t */
 } twist;
 
 void twist_init(twist *t);
 void twist_clear(twist *t);
-/* The twist with u = cos(pi m / k). */
-bool twist_set(twist *t, long m, long k, long prec); /* false: no memory */
+/* w = 2 pi m / k.  false: no memory. */
+bool twist_set_real(twist *t, long m, long k, long prec);
+bool twist_set_complex(twist *t, long m, long k, long prec);
 /* (x, y) = t^turns (x, y). */
 void twist_apply(number *x, number *y, const twist *t, int turns, long prec);
 
@@ -45,27 +64,29 @@ static inline const number *mask_numbers_at(const mask_numbers *z, long a, long 
     return &z->weight[(a - z->mask->a0) * z->mask->nb + (b - z->mask->b0)];
 }
 
-/* Values at the points (a,b), a >= 1, b >= 0, a + b <= rings, and at the centre (0 unless plain). */
+/* Values at the points of the sector on the rings 1..rings, and at the centre (0 unless plain). */
 typedef struct {
+    mesh_kind mesh;
+    bool regular;       /* the k-regular complex is the regular one: nothing is opposite */
     int rings;
     const twist *twist; /* NULL: a plain net; else kept by the caller */
     number centre;
-    number *x, *y; /* sector_index(a,b) */
+    number *x, *y; /* sector_index(net, a, b) */
 } sector_net;
 
-static inline int sector_size(int rings) { return rings * (rings + 1) / 2; }
-static inline int sector_index(int a, int b) { return (a + b) * (a + b - 1) / 2 + b; }
+static inline int sector_size(int rings) { return rings * (rings + 1); }
+static inline int sector_index(const sector_net *z, int a, int b) { return (a - 1) * (z->rings + 1) + b; }
 
-bool sector_net_make(sector_net *z, int rings, const twist *t); /* all values 0; false: no memory */
+bool sector_net_make(sector_net *z, mesh_kind mesh, bool regular, int rings, const twist *t); /* all values 0; false: no memory */
 void sector_net_free(sector_net *z);
 
 typedef enum { SECTOR_OK, SECTOR_OPPOSITE, SECTOR_OUTSIDE } sector_status;
 
-/* (x, y) = the value at any point of the plane.  SECTOR_OPPOSITE: a < 0 and b <= 0, where the sheet is
+/* (x, y) = the value at any point of the plane.  SECTOR_OPPOSITE: the point lies opposite the sector, where the sheet is
    ambiguous.  SECTOR_OUTSIDE: beyond the rings that are stored. */
 sector_status sector_value(number *x, number *y, const sector_net *z, int a, int b, long prec);
 
-/* (x, y) = the value at (a,b) after one subdivision by the mask. */
-sector_status sector_refined_value(number *x, number *y, const sector_net *z, const mask_numbers *mask, int a, int b, long prec);
+/* (x, y) = sum of mask((a,b) - dilation p) times the value at p. */
+sector_status sector_masked_value(number *x, number *y, const sector_net *z, const mask_numbers *mask, int dilation, int a, int b, long prec);
 
 #endif

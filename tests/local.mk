@@ -31,14 +31,20 @@ tests_bigfloat_oracle_arb_LDADD = $(LINK_ORACLE)
 LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
+  tests/lib/t-regular \
   tests/lib/t-scheme \
+  tests/lib/t-scheme_language \
   tests/lib/t-element \
-  tests/lib/t-eigen_approx
+  tests/lib/t-eigen_approx \
+  tests/lib/t-schur_approx
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
+tests_lib_t_regular_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
+tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
 tests_lib_t_eigen_approx_LDADD = $(LINK_LIB)
+tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
@@ -65,7 +71,9 @@ tests_check_t_check_spectrum_LDADD =
 GENERIC_TESTS = \
   tests/lib/t-formula_value \
   tests/lib/t-block \
+  tests/lib/t-quad \
   tests/lib/t-spectrum \
+  tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
   tests/lib/t-charnet
 
@@ -76,7 +84,8 @@ SCRIPT_TESTS = \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
-  tests/verify/cli.sh
+  tests/verify/cli.sh \
+  tests/verify/regular.sh
 
 # Files that tests read.
 EXTRA_DIST += \

@@ -1,24 +1,44 @@
 /* analysis.c: the tests one after the other.  Compiled once per number system. */
 #include "tests.h"
 
-#include "../lib/formula_value.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Of L on a line for people; `spectrum` prints as many as one asks for. */
+#define MOST_DIGITS 40
+
 #define run_analysis NUMBER_NAME(run_analysis)
 outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int max_level, long prec);
 
+/* The frequency was last set to that of the last block: it has to be 1 again. */
 outcome test_characteristic_net(analysis *a)
 {
     const problem *p = a->problem;
+    diagnostic d;
     a->findings->test = "characteristic net";
-    switch (charnet_make(&a->net, &a->dominant, a->box, &a->mask[RING_VALUES], p->scheme->reach, p->geometry.rings, a->prec)) {
+    if (scheme_numbers_set_frequency(&a->numbers, 1, &a->dominant.twist, &d) != STATUS_OK)
+        return OUTCOME_NO_MEMORY;
+    switch (charnet_make(&a->net, &a->dominant, a->box, &a->numbers, p->geometry.rings)) {
     case BLOCK_OK:
         return OUTCOME_TRUE;
-    case BLOCK_OPPOSITE:
+    case BLOCK_NO_MEMORY:
+        return OUTCOME_NO_MEMORY;
+    default:
         return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+    }
+}
+
+/* What the scheme's formulas are worth at this valence. */
+static outcome evaluate_scheme(analysis *a)
+{
+    diagnostic d;
+    switch (scheme_numbers_make(&a->numbers, a->problem->scheme, a->choices->valence, a->prec, &d)) {
+    case STATUS_OK:
+        return OUTCOME_TRUE;
+    case STATUS_BAD_INPUT:
+        a->findings->test = "scheme";
+        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
     default:
         return OUTCOME_NO_MEMORY;
     }
@@ -36,6 +56,7 @@ static outcome run_tests(analysis *a)
     for (int i = 0; i < RING_NETS; i++)
         if (!mask_numbers_make(&a->mask[i], a->problem->geometry.mask[i], a->prec))
             return OUTCOME_NO_MEMORY;
+    o = evaluate_scheme(a);
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++)
         o = tests[i](a);
     return o;
@@ -54,8 +75,7 @@ outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int
     a.prec = prec;
     o = run_tests(&a);
     if (o == OUTCOME_TRUE) {
-        int digits = (int)(prec * 0.30103) + 1;
-        f->eigenvalue = number_get_decimal(&a.box[a.dominant.n], digits < 16 ? 16 : digits);
+        f->eigenvalue = number_get_decimal(&a.box[a.dominant.n], prec < 128 ? 16 : MOST_DIGITS);
         if (!f->eigenvalue)
             o = OUTCOME_NO_MEMORY;
     }
@@ -65,6 +85,7 @@ outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int
     if (a.box)
         number_array_free(a.box, (size_t)a.dominant.n + 1);
     sector_net_free(&a.net);
+    scheme_numbers_free(&a.numbers);
     block_free(&a.dominant);
     return o;
 }

@@ -12,7 +12,7 @@
 /* What is told about a run: proved figures, or why there is none. */
 typedef struct {
     double eigenvalue_lower, eigenvalue_upper; /* L lies between */
-    char *eigenvalue;                          /* the same as text, with all digits that are proved */
+    char *eigenvalue;                          /* the same as text, up to 40 digits */
     double runner_up;                          /* every other eigenvalue but 1 is smaller in modulus */
     long runner_up_block;                      /* where the largest of them seems to be */
     double jacobian;                           /* a lower bound of the Jacobian on the ring, in coordinates (x, y) */

@@ -135,14 +135,26 @@ static void write_log(buffer *b, const decision *d)
     }
 }
 
+static bool is_proved(const archive *z, long valence)
+{
+    char name[64];
+    char *path;
+    bool present;
+    snprintf(name, sizeof name, "valence-%ld.cert", valence);
+    path = path_of(z, name);
+    present = path && access(path, F_OK) == 0;
+    free(path);
+    return present;
+}
+
 archive_status archive_keep(archive *z, char **certificate, const decision *d)
 {
     char name[64];
     buffer text;
     bool ok;
     *certificate = NULL;
-    if (!z->path)
-        return ARCHIVE_OK;
+    if (!z->path || (d->verdict == VERDICT_UNDECIDED && is_proved(z, d->valence)))
+        return ARCHIVE_OK; /* what was proved once stays, and the log that belongs to it */
     buffer_init(&text);
     write_log(&text, d);
     snprintf(name, sizeof name, "valence-%ld.log", d->valence);

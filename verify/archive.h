@@ -19,7 +19,7 @@ void archive_init(archive *z);
 void archive_clear(archive *z);
 /* Opens or creates the directory for the scheme.  errno says more of an ARCHIVE_IO_ERROR. */
 archive_status archive_open(archive *z, const char *path, const scheme *s);
-/* Keeps log and certificate of a decision; *certificate receives the path of the latter, to be freed, or NULL. */
+/* Keeps log and certificate of a decision (an undecided one does not displace an earlier proof); *certificate receives the path of the latter, to be freed, or NULL. */
 archive_status archive_keep(archive *z, char **certificate, const decision *d);
 
 #endif

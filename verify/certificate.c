@@ -185,7 +185,7 @@ static void read_eigenpair(reader *r, eigenpair_choice *e, long grid)
 
 static void read_choices(reader *r, choices *c)
 {
-    long normal_limit = 1L << CHOICES_NORMAL_BITS;
+    long normal_limit = 1L << CHOICES_NORMAL_BITS, total = 0;
     long valence, grid;
     expect(r, "claim");
     expect(r, "c1");
@@ -204,8 +204,12 @@ static void read_choices(reader *r, choices *c)
         c->contraction[i] = (int)read_long(r, 10, 1, 10);
     read_eigenpair(r, &c->eigenpair, grid);
     expect(r, "power");
-    for (long m = 0; m <= valence / 2; m++)
+    for (long m = 0; m <= valence / 2; m++) {
         c->power[m] = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
+        total += c->power[m];
+    }
+    if (total > CHOICES_MAX_TOTAL_POWER)
+        r->failed = true;
     expect(r, "halfplane");
     for (int i = 0; i < 2; i++)
         c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);

@@ -15,6 +15,7 @@
 #define CHOICES_MAX_GRID 8192
 #define CHOICES_NORMAL_BITS 32
 #define CHOICES_MAX_POWER 10000
+#define CHOICES_MAX_TOTAL_POWER 200000
 
 typedef struct {
     long valence;

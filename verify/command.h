@@ -15,6 +15,8 @@ enum {
 };
 
 int command_prove(int argc, char **argv);
+int command_spectrum(int argc, char **argv);
+int command_regular(int argc, char **argv);
 int command_schemes(int argc, char **argv);
 
 /* Complains on stderr, as "smoothcert: ...", and returns the status given. */

@@ -4,10 +4,10 @@
 
 #include "archive.h"
 #include "escalate.h"
+#include "command_scheme.h"
 #include "valences.h"
 
 #include "../bigfloat/interval.h"
-#include "../lib/catalogue.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -20,6 +20,7 @@ static const char help[] =
     "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
     "\n"
     "  --valence LIST        valences, such as 7 or 3..20,50\n"
+    "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
     "  --precision BITS      only balls of this precision (64 to 8192); default: hardware\n"
     "                        intervals, then balls of 64, 128, 256 ... bits\n"
     "  --max-precision BITS  the highest precision to try (default 4096)\n"
@@ -28,7 +29,7 @@ static const char help[] =
     "  --help                this text\n";
 
 typedef struct {
-    const char *scheme_argument;
+    scheme_options scheme;
     const char *list;
     const char *out;
     limits limits;
@@ -44,20 +45,13 @@ typedef struct {
 
 /* ---- arguments ---- */
 
-static bool read_number(long *value, const char *text, long low, long high)
-{
-    char *end;
-    errno = 0;
-    *value = strtol(text, &end, 10);
-    return errno == 0 && end != text && *end == '\0' && *value >= low && *value <= high;
-}
-
 /* -1: go on; else the exit status. */
 static int read_options(options *o, int argc, char **argv)
 {
-    enum { OPTION_VALENCE = 256, OPTION_PRECISION, OPTION_MAX_PRECISION, OPTION_MAX_LEVEL, OPTION_OUT, OPTION_HELP };
+    enum { OPTION_VALENCE = 256, OPTION_SET, OPTION_PRECISION, OPTION_MAX_PRECISION, OPTION_MAX_LEVEL, OPTION_OUT, OPTION_HELP };
     static const struct option known[] = {
         {"valence", required_argument, NULL, OPTION_VALENCE},
+        {"set", required_argument, NULL, OPTION_SET},
         {"precision", required_argument, NULL, OPTION_PRECISION},
         {"max-precision", required_argument, NULL, OPTION_MAX_PRECISION},
         {"max-level", required_argument, NULL, OPTION_MAX_LEVEL},
@@ -67,23 +61,28 @@ static int read_options(options *o, int argc, char **argv)
     };
     long level = 0;
     int option;
-    *o = (options){NULL, NULL, NULL, {0, 4096, 0, false}};
+    memset(o, 0, sizeof *o);
+    o->limits = (limits){0, 4096, 0, false};
     opterr = 0;
     while ((option = getopt_long(argc, argv, "", known, NULL)) != -1) {
         switch (option) {
         case OPTION_VALENCE:
             o->list = optarg;
             break;
+        case OPTION_SET:
+            if (!scheme_options_set(&o->scheme, optarg))
+                return complain(EXIT_USAGE, "--set: at most %d settings", SCHEME_OPTIONS_MAX);
+            break;
         case OPTION_PRECISION:
-            if (!read_number(&o->limits.precision, optarg, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
+            if (!read_long_option(&o->limits.precision, optarg, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
                 return complain(EXIT_USAGE, "--precision: expected a number of bits from %d to %d, found '%s'", LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION, optarg);
             break;
         case OPTION_MAX_PRECISION:
-            if (!read_number(&o->limits.max_precision, optarg, 0, LIMITS_MAX_PRECISION))
+            if (!read_long_option(&o->limits.max_precision, optarg, 0, LIMITS_MAX_PRECISION))
                 return complain(EXIT_USAGE, "--max-precision: expected a number of bits from 0 to %d, found '%s'", LIMITS_MAX_PRECISION, optarg);
             break;
         case OPTION_MAX_LEVEL:
-            if (!read_number(&level, optarg, 1, TREE_MAX_DEPTH))
+            if (!read_long_option(&level, optarg, 1, TREE_MAX_DEPTH))
                 return complain(EXIT_USAGE, "--max-level: expected a number from 1 to %d, found '%s'", TREE_MAX_DEPTH, optarg);
             o->limits.max_level = (int)level;
             break;
@@ -99,47 +98,13 @@ static int read_options(options *o, int argc, char **argv)
     }
     if (optind != argc - 1)
         return complain(EXIT_USAGE, optind >= argc ? "prove: no scheme given; see 'smoothcert prove --help'" : "prove: more than one scheme given (options are written with two dashes)");
-    o->scheme_argument = argv[optind];
+    o->scheme.name = argv[optind];
     if (!o->list)
         return complain(EXIT_USAGE, "prove: no valences given, such as --valence 3..20");
     return -1;
 }
 
-/* ---- the scheme ---- */
-
-static const char *find_in_catalogue(const char *name)
-{
-    for (const struct catalogue_entry *e = catalogue; e->name; e++)
-        if (!strcmp(e->name, name))
-            return e->text;
-    return NULL;
-}
-
-/* A name of the catalogue, unless it contains a '/' or a '.'; else a file. */
-static int load_scheme(scheme *s, const char *argument)
-{
-    const char *text = find_in_catalogue(argument);
-    diagnostic d;
-    status result;
-    buffer file;
-    buffer_init(&file);
-    if (!text && !buffer_read_file(&file, argument, 1 << 20)) {
-        int error = errno;
-        buffer_clear(&file);
-        if (error == ENOENT && !strpbrk(argument, "/."))
-            return complain(EXIT_BAD_INPUT, "there is no scheme '%s': neither in the catalogue ('smoothcert schemes' lists it) nor as a file", argument);
-        return complain(error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", argument, strerror(error));
-    }
-    result = text ? scheme_read(s, text, strlen(text), &d) : scheme_read(s, file.bytes ? file.bytes : "", file.length, &d);
-    buffer_clear(&file);
-    if (result == STATUS_NO_MEMORY)
-        return complain(EXIT_NO_MEMORY, "no memory");
-    if (result == STATUS_BAD_INPUT && d.line > 0)
-        fprintf(stderr, "smoothcert: %s:%ld:%ld: %s\n", argument, d.line, d.column, d.text);
-    else if (result == STATUS_BAD_INPUT)
-        complain(EXIT_BAD_INPUT, "%s: %s", argument, d.text);
-    return result == STATUS_OK ? -1 : EXIT_BAD_INPUT;
-}
+/* ---- evidence ---- */
 
 static int open_archive(prove_run *r)
 {
@@ -211,6 +176,11 @@ static int decide_all(prove_run *r)
             decision_clear(&d);
             return complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", r->valences.valence[i]);
         }
+        if (d.bad_input) {
+            result = complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, d.findings.reason);
+            decision_clear(&d);
+            continue;
+        }
         kept = archive_keep(&r->archive, &certificate, &d);
         if (kept != ARCHIVE_OK) {
             int lost = complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d.valence, strerror(errno));
@@ -219,7 +189,7 @@ static int decide_all(prove_run *r)
             return lost;
         }
         print_decision(r, &d, certificate);
-        if (d.verdict != VERDICT_PROVED)
+        if (d.verdict != VERDICT_PROVED && result == EXIT_PROVED)
             result = EXIT_UNDECIDED;
         free(certificate);
         decision_clear(&d);
@@ -232,7 +202,7 @@ static int decide_all(prove_run *r)
 static int prove(prove_run *r)
 {
     const char *complaint;
-    int result = load_scheme(&r->scheme, r->options.scheme_argument);
+    int result = scheme_options_load(&r->scheme, &r->options.scheme);
     if (result >= 0)
         return result;
     complaint = valences_read(&r->valences, r->options.list);

@@ -24,8 +24,8 @@ void decision_clear(decision *z)
 static void note_attempt(decision *z, const char *system, long precision, int max_level, outcome o, const findings *f)
 {
     attempt *a;
-    if (o == OUTCOME_NO_MEMORY)
-        z->no_memory = true;
+    z->no_memory = z->no_memory || o == OUTCOME_NO_MEMORY;
+    z->bad_input = z->bad_input || o == OUTCOME_BAD_INPUT;
     if (z->attempt_count == MAX_ATTEMPTS)
         return;
     a = &z->attempts[z->attempt_count++];
@@ -102,7 +102,7 @@ void decide_valence(decision *z, const problem *p, long valence, const limits *l
         outcome o = try_precision(z, p, l, precision);
         if (o == OUTCOME_TRUE)
             z->verdict = VERDICT_PROVED;
-        if (o == OUTCOME_TRUE || o == OUTCOME_FALSE || o == OUTCOME_NO_MEMORY || l->precision)
+        if (o == OUTCOME_TRUE || o == OUTCOME_FALSE || z->no_memory || z->bad_input || l->precision)
             return;
         precision = precision ? 2 * precision : LIMITS_MIN_PRECISION;
         if (precision > l->max_precision)

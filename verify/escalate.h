@@ -35,6 +35,7 @@ typedef struct {
     long valence;
     verdict verdict;
     bool no_memory;
+    bool bad_input;           /* the scheme has no meaning at this valence: findings.reason is "LINE:COLUMN: ..." */
     findings findings;        /* of the decisive attempt */
     const char *system;       /* of that attempt */
     long precision;

@@ -27,8 +27,8 @@ static outcome lies_in_half_plane(double *margin, const adaptive_box *box, const
 /* The bisector of the directions in which the sector's two spokes are mapped. */
 static void choose_normal(long normal[2], const sector_net *net, int at)
 {
-    double sign = number_mid_approx(&net->x[sector_index(at, 0)]) < 0 ? -1 : 1;
-    double c = number_mid_approx(&net->twist->c), v = number_mid_approx(&net->twist->v), length = hypot(c, v);
+    double sign = number_mid_approx(&net->x[sector_index(net, at, 0)]) < 0 ? -1 : 1;
+    double c = number_mid_approx(&net->twist->forth.xx), v = number_mid_approx(&net->twist->forth.yx), length = hypot(c, v);
     normal[0] = (long)(sign * NORMAL_SCALE * (1 + c / length));
     normal[1] = (long)(sign * NORMAL_SCALE * (v / length));
 }

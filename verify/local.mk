@@ -11,7 +11,8 @@ VERIFY_SOURCES = \
   verify/analysis.h verify/findings.c \
   verify/escalate.h verify/escalate.c \
   verify/archive.h verify/archive.c \
-  verify/valences.h verify/valences.c
+  verify/valences.h verify/valences.c \
+  verify/spectrum_list.h verify/spectrum_list.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \
@@ -20,6 +21,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_test.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
+  verify/spectrum_blocks.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
@@ -30,9 +32,12 @@ libverify_a_SOURCES = $(VERIFY_SOURCES)
 bin_PROGRAMS += smoothcert
 smoothcert_SOURCES = \
   verify/command.h \
+  verify/command_scheme.h verify/command_scheme.c \
   verify/command_prove.c \
+  verify/command_spectrum.c \
+  verify/command_regular.c \
   verify/command_schemes.c \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md
+EXTRA_DIST += verify/certificate.md verify/scheme-0.md

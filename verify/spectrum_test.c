@@ -3,7 +3,6 @@
 
 #include "../lib/eigen_approx.h"
 #include "../lib/eigenpair.h"
-#include "../lib/formula_value.h"
 #include "../lib/spectrum.h"
 
 #include <math.h>
@@ -11,32 +10,22 @@
 
 typedef struct {
     analysis *a;
-    number centre, ring; /* weights of the rule at the extraordinary vertex */
-    number scale;        /* thin, >= 1/L */
+    number scale; /* thin, >= 1/L */
 } spectrum_run;
 
 static outcome make_block(block *b, spectrum_run *r, long m)
 {
-    analysis *a = r->a;
-    switch (block_make(b, a->problem->scheme, &a->mask[RING_VALUES], &r->centre, &r->ring, m, a->choices->valence, a->prec)) {
+    findings *f = r->a->findings;
+    diagnostic d;
+    switch (block_make(b, &r->a->numbers, m, true, &d)) {
     case BLOCK_OK:
         return OUTCOME_TRUE;
     case BLOCK_OPPOSITE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
-    default:
-        return OUTCOME_NO_MEMORY;
-    }
-}
-
-static outcome evaluate_weights(spectrum_run *r)
-{
-    analysis *a = r->a;
-    diagnostic d;
-    switch (NUMBER_NAME(scheme_weights)(&r->centre, &r->ring, a->problem->scheme, a->choices->valence, a->prec, &d)) {
-    case STATUS_OK:
-        return OUTCOME_TRUE;
-    case STATUS_BAD_INPUT:
-        return findings_explain(a->findings, OUTCOME_FALSE, "line %ld, column %ld of the scheme: %s", d.line, d.column, d.text);
+        return findings_explain(f, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+    case BLOCK_NO_CENTRE_RULE:
+        return findings_explain(f, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+    case BLOCK_BAD_INPUT:
+        return findings_explain(f, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
     default:
         return OUTCOME_NO_MEMORY;
     }
@@ -166,21 +155,20 @@ outcome test_spectrum(analysis *a)
 {
     spectrum_run r;
     outcome o;
+    long total = 0;
     a->findings->test = "spectrum";
     a->findings->runner_up = 0;
     r.a = a;
-    number_init(&r.centre);
-    number_init(&r.ring);
     number_init(&r.scale);
-    o = evaluate_weights(&r);
-    if (o == OUTCOME_TRUE)
-        o = make_block(&a->dominant, &r, 1);
+    o = make_block(&a->dominant, &r, 1);
     if (o == OUTCOME_TRUE)
         o = prove_eigenpair(&r);
-    for (long m = 0; o == OUTCOME_TRUE && m <= a->choices->valence / 2; m++)
+    for (long m = 0; o == OUTCOME_TRUE && m <= a->choices->valence / 2; m++) {
         o = prove_block(&r, m);
-    number_clear(&r.centre);
-    number_clear(&r.ring);
+        total += a->choices->power[m];
+    }
+    if (o == OUTCOME_TRUE && total > CHOICES_MAX_TOTAL_POWER)
+        o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers with a sum beyond the limit of certificates (%d)", CHOICES_MAX_TOTAL_POWER);
     number_clear(&r.scale);
     return o;
 }

@@ -19,8 +19,9 @@ typedef struct {
     bool replay;
     int max_level;
     long prec;
+    scheme_numbers numbers;
     mask_numbers mask[RING_NETS];
-    block dominant;  /* B(w_1) */
+    block dominant;    /* B(w_1) */
     number *box;     /* its eigenpair: n + 1 numbers, after test_spectrum */
     sector_net net;  /* of the characteristic map, after test_characteristic_net */
 } analysis;

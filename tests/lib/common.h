@@ -28,7 +28,7 @@ static inline void read_scheme(scheme *z, const char *text)
 {
     diagnostic d = {0, 0, ""};
     scheme_init(z);
-    CHECK(scheme_read(z, text, strlen(text), &d) == STATUS_OK, "%ld:%ld: %s", d.line, d.column, d.text);
+    CHECK(scheme_read(z, text, strlen(text), NULL, &d) == STATUS_OK, "%ld:%ld: %s", d.line, d.column, d.text);
 }
 
 static inline const char *catalogue_text(const char *name)

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 
 #include "common.h"
-#include "lib/formula_value.h"
 #include "region.h"
 
 #define PI 3.14159265358979323846
@@ -181,16 +180,18 @@ static void full_traces(double *trace, int k, int rings, const rules *r)
     free(number_of);
 }
 
-static bool make_block(block *b, const scheme *s, const mask_numbers *mask, long m, long k, long prec)
+static bool make_block(block *b, const scheme *s, long m, long k, long prec)
 {
-    number centre, ring;
-    diagnostic d;
-    number_init(&centre), number_init(&ring);
-    CHECK(NUMBER_NAME(scheme_weights)(&centre, &ring, s, k, prec, &d) == STATUS_OK, "weights at k = %ld", k);
-    block_status made = block_make(b, s, mask, &centre, &ring, m, k, prec);
-    CHECK(made == BLOCK_OK, "block %ld of %ld: status %d", m, k, (int)made);
-    number_clear(&centre), number_clear(&ring);
-    return made == BLOCK_OK;
+    scheme_numbers numbers;
+    diagnostic d = {0, 0, ""};
+    memset(b, 0, sizeof *b);
+    twist_init(&b->twist);
+    status made = scheme_numbers_make(&numbers, s, k, prec, &d);
+    CHECK(made == STATUS_OK, "numbers at k = %ld: %s", k, d.text);
+    block_status answer = made == STATUS_OK ? block_make(b, &numbers, m, true, &d) : BLOCK_BAD_INPUT;
+    CHECK(answer == BLOCK_OK, "block %ld of %ld: status %d: %s", m, k, (int)answer, d.text);
+    scheme_numbers_free(&numbers);
+    return answer == BLOCK_OK;
 }
 
 static double *doubles(const block *b, double tolerance)
@@ -203,11 +204,11 @@ static double *doubles(const block *b, double tolerance)
     return m;
 }
 
-static void block_traces(double *trace, const scheme *s, const mask_numbers *mask, long m, long k)
+static void block_traces(double *trace, const scheme *s, long m, long k)
 {
     block b;
     memset(trace, 0, POWERS * sizeof *trace);
-    if (make_block(&b, s, mask, m, k, 64)) {
+    if (make_block(&b, s, m, k, 64)) {
         double *entries = doubles(&b, 1e-12);
         traces(trace, entries, b.n);
         free(entries);
@@ -219,19 +220,16 @@ static void compare_traces(const char *text, rules (*make_rules)(int), int k)
 {
     double full[POWERS], sum[POWERS] = {0}, trace[POWERS];
     scheme s;
-    mask_numbers mask;
     rules r = make_rules(k);
     read_scheme(&s, text);
-    MUST(mask_numbers_make(&mask, &s.mask, 64));
-    full_traces(full, k, block_rings(&s), &r);
+    full_traces(full, k, scheme_closed_rings(&s), &r);
     for (int m = 0; m <= k / 2; m++) {
-        block_traces(trace, &s, &mask, m, k);
+        block_traces(trace, &s, m, k);
         for (int p = 0; p < POWERS; p++)
             sum[p] += (m == 0 || 2 * m == k ? 1 : 2) * trace[p];
     }
     for (int p = 0; p < POWERS; p++)
         CHECK(fabs(sum[p] - full[p]) < 1e-9, "k = %d: the trace of power %d is %.12g, the blocks say %.12g", k, p + 1, full[p], sum[p]);
-    mask_numbers_free(&mask);
     scheme_clear(&s);
 }
 
@@ -265,7 +263,7 @@ static void random_net(complex_value *full, sector_net *net, int k, int m)
     double w = 2 * PI * m / k;
     for (int j = 1; j <= net->rings; j++)
         for (int b = 0; b < j; b++) {
-            int at = sector_index(j - b, b);
+            int at = sector_index(net, j - b, b);
             double x = random_unit(), y = m ? random_unit() : 0;
             number_set_double(&net->x[at], x, 64);
             number_set_double(&net->y[at], y, 64);
@@ -285,7 +283,7 @@ static void compare_step(const sector_net *net, const mask_numbers *mask, const 
     for (int j = 1; (j + reach) / 2 <= net->rings - 1; j++)
         for (int b = 0; b < j; b++) {
             double re = 0, im = 0;
-            sector_status answer = sector_refined_value(&x, &y, net, mask, j - b, b, 64);
+            sector_status answer = sector_masked_value(&x, &y, net, mask, 2, j - b, b, 64);
             CHECK(answer == SECTOR_OK, "(%d,%d): status %d", j - b, b, (int)answer);
             new_vertex(row, &grid_mesh, 0, j - b, b, r);
             for (int v = 0; v < grid_mesh.vertices; v++)
@@ -315,11 +313,11 @@ static void check_step(const char *text, rules (*make_rules)(int))
     read_scheme(&s, text);
     MUST(mask_numbers_make(&mask, &s.mask, 64));
     twist_init(&t);
-    MUST(twist_set(&t, m, k, 64));
-    MUST(sector_net_make(&net, MAX_RINGS, m ? &t : NULL));
+    MUST(twist_set_real(&t, m, k, 64));
+    MUST(sector_net_make(&net, s.mesh, k == 6, MAX_RINGS, m ? &t : NULL));
     make_mesh(&grid_mesh, k);
     random_net(full, &net, k, m);
-    compare_step(&net, &mask, full, &r, m, s.reach);
+    compare_step(&net, &mask, full, &r, m, s.steps[0].reach);
     sector_net_free(&net);
     twist_clear(&t);
     mask_numbers_free(&mask);
@@ -344,15 +342,16 @@ static void test_sector_value(void)
 {
     test_begin("sector-value-turns");
     for (test_cases(30); test_next();) {
-        int k = (int)random_range(3, 30), m = (int)random_range(1, k - 1), rings = 6;
+        bool regular = random_below(4) == 0;
+        int k = regular ? 6 : (int)random_range(3, 30), m = (int)random_range(1, k - 1), rings = 6;
         double w = 2 * PI * m / k;
         sector_net net;
         twist t;
         number x, y;
         number_init(&x), number_init(&y);
         twist_init(&t);
-        MUST(twist_set(&t, m, k, 64));
-        MUST(sector_net_make(&net, rings, &t));
+        MUST(twist_set_real(&t, m, k, 64));
+        MUST(sector_net_make(&net, MESH_TRIANGLE, k == 6 && regular, rings, &t));
         for (int i = 0; i < sector_size(rings); i++) {
             number_set_double(&net.x[i], random_unit(), 64);
             number_set_double(&net.y[i], random_unit(), 64);
@@ -365,13 +364,13 @@ static void test_sector_value(void)
                     CHECK(answer == SECTOR_OK && number_is_zero(&x) == TRUTH_TRUE && number_is_zero(&y) == TRUTH_TRUE, "centre");
                     continue;
                 }
-                if (a < 0 && b <= 0) {
+                if (a < 0 && b <= 0 && !regular) {
                     CHECK(answer == SECTOR_OPPOSITE, "(%d,%d) is opposite", a, b);
                     continue;
                 }
                 /* turn by -60 degrees until the point is in the sector 0 <= angle < 60 degrees; angles below 0 are
                    those of the half plane right of the sector's edge */
-                bool clockwise = b < 0;
+                bool clockwise = b < 0 && a >= 0; /* any way round if the complex is the plane */
                 while (p < 1 || q < 0) {
                     int old = p;
                     if (clockwise)
@@ -384,7 +383,7 @@ static void test_sector_value(void)
                     continue;
                 }
                 CHECK(answer == SECTOR_OK, "(%d,%d): status %d", a, b, (int)answer);
-                complex_value v = {number_mid_approx(&net.x[sector_index(p, q)]), sin(w / 2) * number_mid_approx(&net.y[sector_index(p, q)])};
+                complex_value v = {number_mid_approx(&net.x[sector_index(&net, p, q)]), sin(w / 2) * number_mid_approx(&net.y[sector_index(&net, p, q)])};
                 v = times(v, (complex_value){cos(w * turns), sin(w * turns)});
                 CHECK(is_near(&x, v.re, 1e-12) && fabs(sin(w / 2) * number_mid_approx(&y) - v.im) < 1e-12, "(%d,%d), k = %d, m = %d", a, b, k, m);
             }
@@ -415,7 +414,7 @@ static int turn(int a, int b, int *turns)
 static void complex_traces(double *trace, const scheme *s, int m, int k)
 {
     enum { MOST = 6 };
-    int rings = block_rings(s), n = rings * (rings + 1) / 2;
+    int rings = scheme_closed_rings(s), n = rings * (rings + 1) / 2;
     complex_value b[MOST][MOST] = {{{0, 0}}}, power[MOST][MOST], next[MOST][MOST];
     double w = 2 * PI * m / k;
     for (int j = 1; j <= rings; j++)
@@ -461,15 +460,12 @@ static void test_real_form(void)
     for (test_cases(60); test_next();) {
         double real[POWERS], complex_form[POWERS];
         scheme s;
-        mask_numbers mask;
-        int k = (int)random_range(3, 1000), m = (int)random_range(1, k / 2);
+            int k = (int)random_range(3, 1000), m = (int)random_range(1, k / 2);
         read_scheme(&s, text[random_below(3)]);
-        MUST(mask_numbers_make(&mask, &s.mask, 64));
-        block_traces(real, &s, &mask, m, k);
+        block_traces(real, &s, m, k);
         complex_traces(complex_form, &s, m, k);
         for (int p = 0; p < POWERS; p++)
             CHECK(fabs(real[p] - complex_form[p]) < 1e-11, "k = %d, m = %d, power %d: %.12g and %.12g", k, m, p + 1, real[p], complex_form[p]);
-        mask_numbers_free(&mask);
         scheme_clear(&s);
     }
     test_end();
@@ -517,20 +513,17 @@ static double determinant(const double *b, int n, double x)
 static void test_golden(void)
 {
     scheme loop, butterfly;
-    mask_numbers mask, other;
     double trace[POWERS];
     test_begin("block-golden-eigenvalues");
     read_scheme(&loop, catalogue_text("loop"));
     read_scheme(&butterfly, BUTTERFLY_TEXT);
-    MUST(mask_numbers_make(&mask, &loop.mask, 64));
-    MUST(mask_numbers_make(&other, &butterfly.mask, 64));
-    CHECK(block_rings(&loop) == 2 && block_rings(&butterfly) == 3, "rings");
+    CHECK(scheme_closed_rings(&loop) == 2 && scheme_closed_rings(&butterfly) == 3, "rings");
     for (long k = 3; k <= 60; k++) {
         double c0 = loop_rules((int)k).centre;
-        block_traces(trace, &loop, &mask, 0, k);
+        block_traces(trace, &loop, 0, k);
         check_power_sums(trace, (double[]){1, c0 - 0.375, 0.125, 0.0625}, 4, "Loop", k, 0);
         for (long m = 1; m <= k / 2; m++) {
-            block_traces(trace, &loop, &mask, m, k);
+            block_traces(trace, &loop, m, k);
             check_power_sums(trace, (double[]){0.375 + cos(2 * PI * (double)m / (double)k) / 4, 0.125, 0.0625}, 3, "Loop", k, m);
         }
         for (long m = 1; m <= k / 2; m++) {
@@ -540,7 +533,7 @@ static void test_golden(void)
             double sum[POWERS] = {e1, e1 * e1 - 2 * e2, e1 * e1 * e1 - 3 * e1 * e2 + 3 * e3};
             for (int p = 3; p < POWERS; p++)
                 sum[p] = e1 * sum[p - 1] - e2 * sum[p - 2] + e3 * sum[p - 3];
-            block_traces(trace, &butterfly, &other, m, k);
+            block_traces(trace, &butterfly, m, k);
             for (int p = 0; p < POWERS; p++)
                 CHECK(fabs(trace[p] - sum[p] - 2 * pow(-1.0 / 16, p + 1)) < 1e-11, "Butterfly, k = %ld, m = %ld, power %d", k, m, p + 1);
         }
@@ -551,7 +544,7 @@ static void test_golden(void)
     } moduli[] = {{7, 1, 0.48191070}, {7, 2, 0.40611654}, {8, 1, 0.46241777}, {8, 2, 0.46904152}, {9, 1, 0.44442936}, {9, 2, 0.49729407}};
     for (int i = 0; i < 6; i++) {
         block b;
-        if (make_block(&b, &butterfly, &other, moduli[i].m, moduli[i].k, 64)) {
+        if (make_block(&b, &butterfly, moduli[i].m, moduli[i].k, 64)) {
             double *m = doubles(&b, 1e-12);
             CHECK(determinant(m, b.n, moduli[i].modulus - 2e-8) * determinant(m, b.n, moduli[i].modulus + 2e-8) < 0, "Butterfly has no eigenvalue near %.8f at k = %ld",
                   moduli[i].modulus, moduli[i].k);
@@ -559,7 +552,6 @@ static void test_golden(void)
         }
         block_free(&b);
     }
-    mask_numbers_free(&mask), mask_numbers_free(&other);
     scheme_clear(&loop), scheme_clear(&butterfly);
     test_end();
 }
@@ -576,14 +568,12 @@ static void test_exact(void)
 {
     static const int expected[9] = {4, 0, 0, 9, 1, 1, 6, 0, 2}; /* sixteenths */
     scheme s;
-    mask_numbers mask;
     block b;
     rational q;
     test_begin("block-exact-entries");
     rational_init(&q);
     read_scheme(&s, LOOP_TEXT);
-    MUST(mask_numbers_make(&mask, &s.mask, 64));
-    if (make_block(&b, &s, &mask, 1, 3, 64)) {
+    if (make_block(&b, &s, 1, 3, 64)) {
         CHECK(b.n == 3 && b.rings == 2 && b.m == 1 && b.k == 3, "shape");
         for (int i = 0; i < 9 && b.n == 3; i++) {
             MUST(rational_set_si(&q, expected[i], 16));
@@ -595,14 +585,13 @@ static void test_exact(void)
     for (long k = 5; k <= 100; k += 19)
         for (long m = 0; m <= k / 2; m += 3) {
             block fine;
-            bool made = make_block(&b, &s, &mask, m, k, 64);
-            if (make_block(&fine, &s, &mask, m, k, 256) && made)
+            bool made = make_block(&b, &s, m, k, 64);
+            if (make_block(&fine, &s, m, k, 256) && made)
                 for (int i = 0; i < b.n * b.n; i++)
                     CHECK(number_upper_bound(&b.entry[i]) >= number_lower_bound(&fine.entry[i])
                               && number_lower_bound(&b.entry[i]) <= number_upper_bound(&fine.entry[i]), "k = %ld, m = %ld: entry %d of two precisions is disjoint", k, m, i);
             block_free(&b), block_free(&fine);
         }
-    mask_numbers_free(&mask);
     scheme_clear(&s);
     rational_clear(&q);
     test_end();
@@ -616,12 +605,10 @@ static void test_unknowns(void)
     } listed[] = {{UNKNOWN_SPOKE, 1, 0}, {UNKNOWN_SPOKE, 2, 0}, {UNKNOWN_BISECTOR, 1, 1}, {UNKNOWN_SPOKE, 3, 0}, {UNKNOWN_X, 2, 1}, {UNKNOWN_Y, 2, 1}};
     static const int plain[7][2] = {{0, 0}, {1, 0}, {2, 0}, {1, 1}, {3, 0}, {2, 1}, {1, 2}};
     scheme s;
-    mask_numbers mask;
     block b;
     test_begin("block-unknowns");
     read_scheme(&s, ODD_TEXT);
-    MUST(mask_numbers_make(&mask, &s.mask, 64));
-    if (make_block(&b, &s, &mask, 2, 7, 64)) {
+    if (make_block(&b, &s, 2, 7, 64)) {
         sector_net net;
         number *value = number_array_new(6);
         number x, y;
@@ -632,12 +619,12 @@ static void test_unknowns(void)
             number_set_double(&value[i], random_unit(), 64);
         }
         /* the net is its own mirror image: V(b,a) = t conj V(a,b) */
-        MUST(sector_net_make(&net, 3, &b.twist));
-        block_net(&net, &b, value, 64);
+        MUST(sector_net_make(&net, s.mesh, false, 3, &b.twist));
+        block_net(&net, &b, value, NULL, 64);
         for (int j = 1; j <= 3; j++)
             for (int e = 0; e < j; e++) {
                 sector_value(&x, &y, &net, e, j - e, 64);
-                int at = sector_index(j - e, e);
+                int at = sector_index(&net, j - e, e);
                 double w = 4 * PI / 7, re = number_mid_approx(&net.x[at]), im = -sin(w / 2) * number_mid_approx(&net.y[at]);
                 CHECK(is_near(&x, cos(w) * re - sin(w) * im, 1e-12) && fabs(sin(w / 2) * number_mid_approx(&y) - sin(w) * re - cos(w) * im) < 1e-12, "(%d,%d) has no mirror image", j - e, e);
             }
@@ -646,7 +633,7 @@ static void test_unknowns(void)
         sector_net_free(&net);
     }
     block_free(&b);
-    if (make_block(&b, &s, &mask, 0, 7, 64)) {
+    if (make_block(&b, &s, 0, 7, 64)) {
         CHECK(b.n == 7, "%d unknowns of block 0", b.n);
         for (int i = 0; i < 7 && b.n == 7; i++) {
             double sum = 0;
@@ -657,7 +644,6 @@ static void test_unknowns(void)
         }
     }
     block_free(&b);
-    mask_numbers_free(&mask);
     scheme_clear(&s);
     test_end();
 }
@@ -667,21 +653,17 @@ static void test_opposite(void)
 {
     static const char text[] = SCHEME_TEXT("(0,0) 1\n(1,0) 7/16\n(3,0) 1/16\n", "1/2");
     scheme s;
-    mask_numbers mask;
     test_begin("block-opposite");
     read_scheme(&s, text);
-    MUST(mask_numbers_make(&mask, &s.mask, 64));
     for (long m = 0; m <= 2; m++) {
+        scheme_numbers numbers;
         block b;
-        number weight;
-        number_init(&weight);
-        number_one(&weight);
-        number_mul_2exp(&weight, &weight, -1, 64);
-        CHECK(block_make(&b, &s, &mask, &weight, &weight, m, 5, 64) == BLOCK_OPPOSITE, "not refused, m = %ld", m);
+        diagnostic d;
+        CHECK(scheme_numbers_make(&numbers, &s, 5, 64, &d) == STATUS_OK, "numbers");
+        CHECK(block_make(&b, &numbers, m, true, &d) == BLOCK_OPPOSITE, "not refused, m = %ld", m);
         block_free(&b);
-        number_clear(&weight);
+        scheme_numbers_free(&numbers);
     }
-    mask_numbers_free(&mask);
     scheme_clear(&s);
     test_end();
 }

@@ -9,7 +9,6 @@
 
 #include "common.h"
 #include "lib/eigenpair.h"
-#include "lib/formula_value.h"
 #include "region.h"
 
 #define PI 3.14159265358979323846
@@ -26,7 +25,7 @@ typedef struct {
     scheme scheme;
     regular_masks regular;
     ring ring;
-    mask_numbers mask[RING_NETS];
+    scheme_numbers numbers;
     block block;
     eigenpair_choice choice;
     number *box;
@@ -35,26 +34,21 @@ typedef struct {
 
 static bool make_setting(setting *z, const char *text, int k, int more_rings)
 {
-    number centre, ring_weight;
-    diagnostic d;
-    number_init(&centre), number_init(&ring_weight);
+    diagnostic d = {0, 0, ""};
     memset(z, 0, sizeof *z);
     z->k = k;
     read_scheme(&z->scheme, text);
     regular_init(&z->regular);
     ring_init(&z->ring);
     eigenpair_choice_init(&z->choice);
-    MUST(regular_derive(&z->regular, &z->scheme.mask));
+    MUST(regular_derive(&z->regular, &z->scheme.mask, MESH_TRIANGLE));
     MUST(ring_make(&z->ring, &z->scheme, &z->regular));
-    for (int i = 0; i < RING_NETS; i++)
-        MUST(mask_numbers_make(&z->mask[i], z->ring.mask[i], PRECISION));
-    CHECK(NUMBER_NAME(scheme_weights)(&centre, &ring_weight, &z->scheme, k, PRECISION, &d) == STATUS_OK, "weights");
-    CHECK(block_make(&z->block, &z->scheme, &z->mask[RING_VALUES], &centre, &ring_weight, 1, k, PRECISION) == BLOCK_OK, "block");
+    CHECK(scheme_numbers_make(&z->numbers, &z->scheme, k, PRECISION, &d) == STATUS_OK, "weights: %s", d.text);
+    CHECK(block_make(&z->block, &z->numbers, 1, true, &d) == BLOCK_OK, "block: %s", d.text);
     z->box = number_array_new((size_t)z->block.n + 1);
     CHECK(eigenpair_choose(&z->choice, z->block.entry, z->block.n, GRID, PRECISION) == TRUTH_TRUE
               && eigenpair_prove(z->box, &z->choice, z->block.entry, PRECISION) == TRUTH_TRUE, "no eigenpair at k = %d", k);
-    CHECK(charnet_make(&z->net, &z->block, z->box, &z->mask[RING_VALUES], z->scheme.reach, z->ring.rings + more_rings, PRECISION) == BLOCK_OK, "no net at k = %d", k);
-    number_clear(&centre), number_clear(&ring_weight);
+    CHECK(charnet_make(&z->net, &z->block, z->box, &z->numbers, z->ring.rings + more_rings) == BLOCK_OK, "no net at k = %d", k);
     return !test_failed();
 }
 
@@ -64,8 +58,7 @@ static void free_setting(setting *z)
     number_array_free(z->box, (size_t)z->block.n + 1);
     eigenpair_choice_clear(&z->choice);
     block_free(&z->block);
-    for (int i = 0; i < RING_NETS; i++)
-        mask_numbers_free(&z->mask[i]);
+    scheme_numbers_free(&z->numbers);
     ring_clear(&z->ring);
     regular_clear(&z->regular);
     scheme_clear(&z->scheme);
@@ -79,9 +72,9 @@ static void check_eigenvector(const setting *z)
     const number *eigenvalue = &z->box[z->block.n];
     number_init(&x), number_init(&y), number_init(&t);
     for (int j = 1; j <= z->net.rings; j++)
-        for (int b = 0; b < j && (j + z->scheme.reach) / 2 <= z->net.rings; b++) {
-            int at = sector_index(j - b, b);
-            CHECK(sector_refined_value(&x, &y, &z->net, &z->mask[RING_VALUES], j - b, b, PRECISION) == SECTOR_OK, "(%d,%d)", j - b, b);
+        for (int b = 0; b < j && (j + z->scheme.steps[0].reach) / 2 <= z->net.rings; b++) {
+            int at = sector_index(&z->net, j - b, b);
+            CHECK(sector_masked_value(&x, &y, &z->net, &z->numbers.steps[0].mask, 2, j - b, b, PRECISION) == SECTOR_OK, "(%d,%d)", j - b, b);
             number_submul(&x, eigenvalue, &z->net.x[at], PRECISION);
             number_submul(&y, eigenvalue, &z->net.y[at], PRECISION);
             CHECK(number_contains_zero(&x) && number_contains_zero(&y), "k = %d: S V is not L V at (%d,%d)", z->k, j - b, b);
@@ -124,11 +117,11 @@ static void test_regular_valence(void)
     setting z;
     test_begin("charnet-valence-6");
     if (make_setting(&z, catalogue_text("loop"), 6, 3)) {
-        double unit = number_mid_approx(&z.net.x[sector_index(1, 0)]);
+        double unit = number_mid_approx(&z.net.x[sector_index(&z.net, 1, 0)]);
         CHECK(is_near(&z.box[z.block.n], 0.5, 1e-9), "L is not 1/2");
         for (int j = 1; j <= z.net.rings; j++)
             for (int b = 0; b < j; b++) {
-                int at = sector_index(j - b, b);
+                int at = sector_index(&z.net, j - b, b);
                 double re = j - b + b * 0.5, im = b * sqrt(0.75);
                 CHECK(is_near(&z.net.x[at], unit * re, 1e-7) && is_near(&z.net.y[at], unit * im / 0.5, 1e-7), "(%d,%d)", j - b, b);
             }
@@ -342,8 +335,11 @@ static void check_limits(int k, int levels)
     if (make_setting(&z, catalogue_text("loop"), k, 1)) {
         net.rings = z.net.rings;
         net.at = malloc((size_t)(net.rings * (net.rings + 1) / 2) * sizeof *net.at);
-        for (int i = 0; i < sector_size(net.rings); i++)
-            net.at[i] = (complex_value){number_mid_approx(&z.net.x[i]), sin(PI / k) * number_mid_approx(&z.net.y[i])};
+        for (int j = 1; j <= net.rings; j++)
+            for (int b = 0; b < j; b++) {
+                int i = sector_index(&z.net, j - b, b);
+                net.at[j * (j - 1) / 2 + b] = (complex_value){number_mid_approx(&z.net.x[i]), sin(PI / k) * number_mid_approx(&z.net.y[i])};
+            }
         for (int level = 0; level <= levels && !test_failed(); level++) {
             if (level)
                 refine_net(&net);

@@ -157,7 +157,7 @@ static void test_windows(void)
     test_begin("element-windows-loop");
     read_scheme(&loop, catalogue_text("loop"));
     regular_init(&masks);
-    MUST(regular_derive(&masks, &loop.mask));
+    MUST(regular_derive(&masks, &loop.mask, MESH_TRIANGLE));
     check_windows(&loop.mask, true);
     check_windows(&masks.derivative[0], true);
     check_windows(&masks.derivative[1], true);
@@ -306,7 +306,7 @@ static void check_ring(const char *text, bool nonnegative, int expected_radius)
     read_scheme(&s, text);
     regular_init(&masks);
     ring_init(&z);
-    MUST(regular_derive(&masks, &s.mask));
+    MUST(regular_derive(&masks, &s.mask, MESH_TRIANGLE));
     CHECK(masks.divisible, "the test itself");
     MUST(ring_make(&z, &s, &masks));
     CHECK(z.nonnegative == nonnegative, "nonnegative");
@@ -327,7 +327,7 @@ static void check_ring(const char *text, bool nonnegative, int expected_radius)
             if (counts[net][type])
                 omega = greatest(omega, most);
         }
-    while (!(omega <= r && omega + s.reach < 2 * (r + 1) && omega < 2 * r))
+    while (!(omega <= r && omega + s.steps[0].reach < 2 * (r + 1) && omega < 2 * r))
         r++;
     CHECK(z.radius == r && r == expected_radius && z.rings == 2 * r + omega, "r = %d, rings = %d; expected %d and %d", z.radius, z.rings, r, 2 * r + omega);
     int n = 0;
@@ -344,14 +344,14 @@ static void check_ring(const char *text, bool nonnegative, int expected_radius)
         CHECK(z.boundary[b].type == ELEMENT_EDGE && z.boundary[b].b == b && z.boundary[b].a == 2 * r - 1 - b, "edge %d", b);
     for (int i = 0; i < n + 2 * r && !test_failed(); i++) {
         element e = i < n ? z.elements[i] : z.boundary[i - n];
-        check_used_points(&z, e.type, e.a, e.b, 0, s.reach);
+        check_used_points(&z, e.type, e.a, e.b, 0, s.steps[0].reach);
         for (int c = 0; c < element_children(e.type); c++) {
             element_child child = element_get_child(e.type, c);
             int a = 2 * e.a + child.shift.a, b = 2 * e.b + child.shift.b;
-            check_used_points(&z, child.type, a, b, 1, s.reach);
+            check_used_points(&z, child.type, a, b, 1, s.steps[0].reach);
             for (int d = 0; d < element_children(child.type); d++) {
                 element_child grandchild = element_get_child(child.type, d);
-                check_used_points(&z, grandchild.type, 2 * a + grandchild.shift.a, 2 * b + grandchild.shift.b, 2, s.reach);
+                check_used_points(&z, grandchild.type, 2 * a + grandchild.shift.a, 2 * b + grandchild.shift.b, 2, s.steps[0].reach);
             }
         }
     }

@@ -1,6 +1,7 @@
 /* t-formula_value.c: enclosures of formulas contain the exact values, which are bracketed here by integers alone, or
    computed along with a random formula. */
 #include "lib/formula_value.h"
+#include "lib/step.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,14 +11,20 @@
 
 #define PI 3.14159265358979323846
 
+static formula_point at_valence(long k)
+{
+    return (formula_point){k, 0, 0};
+}
+
 static formula *read_formula(const char *text)
 {
+    static const definitions none;
     static long column[1001];
     diagnostic d;
     formula *f = NULL;
     for (long i = 0; i <= 1000; i++)
         column[i] = i + 1;
-    CHECK(formula_read(&f, text, strlen(text), 1, column, &d) == STATUS_OK, "'%s': %s", text, d.text);
+    CHECK(formula_read(&f, text, strlen(text), 1, column, &none, FORMULA_ON_VALENCE, &d) == STATUS_OK, "'%s': %s", text, d.text);
     return f;
 }
 
@@ -90,6 +97,21 @@ static void loop_centre(rational *z, const rational *cosine)
     rational_clear(&q);
 }
 
+/* The weight of the centre in its own rule, and the total weight of its neighbours. */
+static void centre_weights(number *centre, number *ring, const scheme *s, long k, long prec)
+{
+    scheme_numbers z;
+    diagnostic d = {0, 0, ""};
+    const rule_numbers *r;
+    CHECK(scheme_numbers_make(&z, s, k, prec, &d) == STATUS_OK && scheme_numbers_set_frequency(&z, 0, NULL, &d) == STATUS_OK, "k = %ld: %s", k, d.text);
+    CHECK(z.steps[0].rule_count == 1 && z.steps[0].rules[0].count == 2, "the rule of the centre");
+    r = &z.steps[0].rules[0];
+    number_set(centre, &r->centre);
+    number_set(ring, &r->matrix[1].xx);
+    CHECK(r->point[1].a == 1 && r->point[1].b == 0, "the neighbours");
+    scheme_numbers_free(&z);
+}
+
 static double width(const number *x)
 {
     return number_upper_bound(x) - number_lower_bound(x);
@@ -101,13 +123,14 @@ static void check_loop(const scheme *s, int k, const rational *low, const ration
     rational a, b, one;
     number centre, ring, cosine;
     diagnostic d;
+    formula_point at = at_valence(k);
     formula *f = read_formula("cos(2*pi/k)");
     rational_init(&a), rational_init(&b), rational_init(&one);
     number_init(&centre), number_init(&ring), number_init(&cosine);
-    CHECK(NUMBER_NAME(formula_value)(&cosine, f, k, prec, &d) == STATUS_OK, "%s", d.text);
+    CHECK(NUMBER_NAME(formula_value)(&cosine, f, &at, prec, &d) == STATUS_OK, "%s", d.text);
     CHECK(number_contains_rational(&cosine, low) || number_contains_rational(&cosine, high), "k = %d, precision %ld: cos(2 pi/k)", k, prec);
     loop_centre(&a, low), loop_centre(&b, high);
-    CHECK(NUMBER_NAME(scheme_weights)(&centre, &ring, s, k, prec, &d) == STATUS_OK, "%s", d.text);
+    centre_weights(&centre, &ring, s, k, prec);
     CHECK(number_contains_rational(&centre, &a) || number_contains_rational(&centre, &b), "k = %d, precision %ld: c0", k, prec);
     MUST(rational_set_si(&one, 1, 1));
     MUST(rational_sub(&a, &one, &a));
@@ -147,12 +170,11 @@ static void check_weights(const char *text, long k, long p0, long q0, bool thin)
 {
     scheme s;
     number centre, ring;
-    diagnostic d;
     rational q;
     rational_init(&q);
     number_init(&centre), number_init(&ring);
     read_scheme(&s, text);
-    CHECK(NUMBER_NAME(scheme_weights)(&centre, &ring, &s, k, 64, &d) == STATUS_OK, "%s", d.text);
+    centre_weights(&centre, &ring, &s, k, 64);
     MUST(rational_set_si(&q, p0, q0));
     CHECK(number_contains_rational(&centre, &q) && (!thin || number_is_thin(&centre)), "k = %ld: c0 is not %ld/%ld", k, p0, q0);
     MUST(rational_set_si(&q, q0 - p0, q0));
@@ -182,9 +204,10 @@ static void check_complaint(const char *text, long k, long column, const char *e
 {
     formula *f = read_formula(text);
     number z;
+    formula_point at = at_valence(k);
     diagnostic d = {0, 0, ""};
     number_init(&z);
-    CHECK(NUMBER_NAME(formula_value)(&z, f, k, 64, &d) == STATUS_BAD_INPUT, "'%s' has a value at k = %ld", text, k);
+    CHECK(NUMBER_NAME(formula_value)(&z, f, &at, 64, &d) == STATUS_BAD_INPUT, "'%s' has a value at k = %ld", text, k);
     CHECK(d.line == 1 && d.column == column && !strcmp(d.text, expected), "'%s': %ld:%ld: \"%s\"", text, d.line, d.column, d.text);
     number_clear(&z);
     formula_free(f);
@@ -193,13 +216,18 @@ static void check_complaint(const char *text, long k, long column, const char *e
 static void test_complaints(void)
 {
     test_begin("formula-value-complaints");
-    check_complaint("1/(cos(2*pi/k)-cos(2*pi/k))", 5, 2, "division by something that may be zero at valence k = 5");
-    check_complaint("cos(2*pi/k)/0", 5, 12, "division by something that may be zero at valence k = 5");
-    check_complaint("pi^2/(1-1)", 5, 5, "division by something that may be zero at valence k = 5");
-    check_complaint("(pi-pi*cos(0)+cos(pi/5)-cos(pi/5))^-2", 5, 35, "division by something that may be zero at valence k = 5");
-    check_complaint("1/(k-5)", 5, 2, "division by zero (at valence k = 5)");
-    check_complaint("cos(cos(pi/7))", 5, 1, "cos and sin need a rational multiple of pi (at valence k = 5)");
-    check_complaint("sin(pi/7)+1/cos(pi/2)", 7, 12, "division by zero (at valence k = 7)");
+    check_complaint("cos(2*pi/k)/0", 5, 12, "division by zero (at k = 5)");
+    check_complaint("pi^2/(1-1)", 5, 5, "division by zero");
+    check_complaint("(pi^2)^-1/(1-1)", 5, 10, "division by zero");
+    check_complaint("1 + sqrt(1/2 - sqrt(2))", 5, 5, "the square root of something negative");
+    check_complaint("sqrt(-sqrt(2)-k)", 7, 1, "the square root of something negative (at k = 7)");
+    check_complaint("pi + cases(sqrt(2) < 1: 1; sqrt(2) > 3/2: 2)", 7, 6, "no case applies; add 'else: ...'");
+    check_complaint("pi*mod(sqrt(2), 2)", 7, 4, "expected whole numbers (and none is 0 behind mod)");
+    check_complaint("pi^(1/2)", 7, 3, "expected whole numbers (and none is 0 behind mod)");
+    check_complaint("pi^(2^14+1)", 7, 3, "a rational number of more than 16384 bits");
+    check_complaint("1/(k-5)", 5, 2, "division by zero (at k = 5)");
+    check_complaint("cos(cos(pi/7))", 5, 1, "cos and sin need a rational multiple of pi");
+    check_complaint("sin(pi/7)+1/cos(pi/2)", 7, 12, "division by zero");
     test_end();
 }
 
@@ -255,7 +283,7 @@ static double write_formula(writer *w, int depth, int k)
     }
 }
 
-status formula_value_ball(ball *z, const formula *f, long k, long prec, diagnostic *d);
+status formula_value_ball(ball *z, const formula *f, const formula_point *at, long prec, diagnostic *d);
 
 static void test_random(void)
 {
@@ -265,6 +293,7 @@ static void test_random(void)
         int k = (int)random_range(3, 40);
         double expected = write_formula(&w, 3, k);
         long prec = random_range(30, 300);
+        formula_point at = at_valence(k);
         diagnostic d;
         number z;
         ball fine;
@@ -277,10 +306,10 @@ static void test_random(void)
         integer_init(&m);
         rational_init(&q);
         if (f) {
-            CHECK(NUMBER_NAME(formula_value)(&z, f, k, prec, &d) == STATUS_OK, "'%s' at k = %d: %s", w.text, k, d.text);
+            CHECK(NUMBER_NAME(formula_value)(&z, f, &at, prec, &d) == STATUS_OK, "'%s' at k = %d: %s", w.text, k, d.text);
             CHECK(fabs(expected - number_mid_approx(&z)) <= (1e-9 + ldexp(1e4, -(int)prec)) * (1 + fabs(expected)) * 1000, "'%s' at k = %d is not %.17g but %.17g", w.text, k, expected, number_mid_approx(&z));
             /* the middle of an enclosure of 1000 bits is in every enclosure of 300, if both are right */
-            CHECK(formula_value_ball(&fine, f, k, 1000, &d) == STATUS_OK, "%s", d.text);
+            CHECK(formula_value_ball(&fine, f, &at, 1000, &d) == STATUS_OK, "%s", d.text);
             MUST(ball_get_parts(&m, NULL, &e, &fine));
             MUST(rational_set_integer_2exp(&q, &m, (long)e));
             CHECK(number_contains_rational(&z, &q), "'%s' at k = %d, precision %ld: two enclosures do not agree", w.text, k, prec);
@@ -301,19 +330,88 @@ static void test_sine(void)
     for (int k = 3; k <= 400; k += k < 20 ? 1 : 17) {
         formula *f = read_formula("cos(2*pi/k) - 1 + 2*sin(pi/k)^2"), *g = read_formula("sin(2*pi/k) - 2*sin(pi/k)*cos(pi/k)"), *h = read_formula("sin(pi/k)");
         number z;
+        formula_point at = at_valence(k);
         diagnostic d;
         number_init(&z);
-        CHECK(NUMBER_NAME(formula_value)(&z, f, k, 100, &d) == STATUS_OK && number_contains_zero(&z) && width(&z) < 1e-14, "cos(2 x) at k = %d", k);
-        CHECK(NUMBER_NAME(formula_value)(&z, g, k, 100, &d) == STATUS_OK && number_contains_zero(&z) && width(&z) < 1e-14, "sin(2 x) at k = %d", k);
-        CHECK(NUMBER_NAME(formula_value)(&z, h, k, 100, &d) == STATUS_OK && number_is_positive(&z) == TRUTH_TRUE, "sin at k = %d", k);
+        CHECK(NUMBER_NAME(formula_value)(&z, f, &at, 100, &d) == STATUS_OK && number_contains_zero(&z) && width(&z) < 1e-14, "cos(2 x) at k = %d", k);
+        CHECK(NUMBER_NAME(formula_value)(&z, g, &at, 100, &d) == STATUS_OK && number_contains_zero(&z) && width(&z) < 1e-14, "sin(2 x) at k = %d", k);
+        CHECK(NUMBER_NAME(formula_value)(&z, h, &at, 100, &d) == STATUS_OK && number_is_positive(&z) == TRUTH_TRUE, "sin at k = %d", k);
         number_clear(&z);
         formula_free(f), formula_free(g), formula_free(h);
     }
     test_end();
 }
 
+/* ---- functions ---- */
+
+static void check_value(const char *text, long k, double value)
+{
+    formula *f = read_formula(text);
+    number z;
+    formula_point at = at_valence(k);
+    diagnostic d = {0, 0, ""};
+    number_init(&z);
+    CHECK(NUMBER_NAME(formula_value)(&z, f, &at, 64, &d) == STATUS_OK, "'%s': %s", text, d.text);
+    CHECK(is_near(&z, value, 1e-13 * (1 + fabs(value))), "'%s' is %.17g, not %.17g", text, number_mid_approx(&z), value);
+    number_clear(&z);
+    formula_free(f);
+}
+
+/* More precision may tell; until then the value may be anything. */
+static void check_indeterminate(const char *text, long k)
+{
+    formula *f = read_formula(text);
+    number z;
+    formula_point at = at_valence(k);
+    diagnostic d = {0, 0, ""};
+    number_init(&z);
+    CHECK(NUMBER_NAME(formula_value)(&z, f, &at, 64, &d) == STATUS_OK, "'%s': %s", text, d.text);
+    CHECK(!number_is_finite(&z), "'%s' is %.17g", text, number_mid_approx(&z));
+    number_clear(&z);
+    formula_free(f);
+}
+
+static void test_functions(void)
+{
+    test_begin("formula-value-functions");
+    check_value("sqrt(2)", 3, sqrt(2));
+    check_value("sqrt(2)^2 - 2", 3, 0);
+    check_value("sqrt(cos(2*pi/k) + 2)", 7, sqrt(cos(2 * PI / 7) + 2));
+    check_value("abs(cos(pi/k) - 1)", 5, 1 - cos(PI / 5));
+    check_value("abs(1 - sqrt(2)) - abs(sqrt(2) - 1)", 3, 0);
+    check_value("min(sqrt(2), 3/2, pi)", 3, sqrt(2));
+    check_value("max(sqrt(2), 3/2, 1)", 3, 1.5);
+    check_value("max(pi, 3)", 3, PI);
+    check_value("min(pi, 22/7, sqrt(10))", 3, PI);
+    check_value("cases(cos(2*pi/k) > 1/2: sqrt(2); else: sqrt(3))", 7, sqrt(2));
+    check_value("cases(cos(2*pi/k) > 1/2: sqrt(2); else: sqrt(3))", 5, sqrt(3));
+    check_value("cases(cos(2*pi/k) > 1/2: sqrt(2); else: sqrt(3))", 6, sqrt(3)); /* exactly equal */
+    check_value("cases(cos(2*pi/k) >= 1/2: 1; else: 2)", 6, 1);
+    check_value("cases(sqrt(2) > 1 and k = 7: pi; else: 2)", 7, PI);
+    check_value("cases(sqrt(2) < 1 or pi <= 3: pi; sqrt(2) != 1: sqrt(5))", 7, sqrt(5));
+    check_value("cases(sqrt(2) = 1: 1; pi >= 3: 3)", 7, 3);
+    check_value("mod(7,k)*sqrt(2)", 5, 2 * sqrt(2));
+    check_value("pi^2", 3, PI * PI);
+    check_value("(1/2 + sqrt(2)/2)^(k-3)", 5, pow(0.5 + sqrt(0.5), 2));
+    check_value("pi^(-2)", 3, 1 / PI / PI);
+    check_value("(pi/4)^(2^14)", 3, 0);
+    test_end();
+    test_begin("formula-value-undecided");
+    check_indeterminate("1/(cos(2*pi/k)-cos(2*pi/k))", 5);
+    check_indeterminate("(pi-pi*cos(0)+cos(pi/5)-cos(pi/5))^-2", 5);
+    check_indeterminate("sqrt(sqrt(2)^2 - 2) + 1", 5);
+    check_indeterminate("cases(cos(2*pi/k) = cos(-2*pi/k): 1; else: 2)", 7);
+    check_indeterminate("1 + cases(sqrt(2)^2 <= 2: 1; else: 2)", 7);
+    check_indeterminate("cases(sqrt(2)^2 >= 2 and pi > 3: 1; else: 2)", 7);
+    check_indeterminate("cases(sqrt(2)^2 != 2 or pi < 3: 1; else: 2)", 7);
+    check_value("cases(sqrt(2)^2 >= 2 and pi < 3: 1; else: 2)", 7, 2);
+    check_value("cases(sqrt(2)^2 != 2 or pi > 3: 1; else: 2)", 7, 1);
+    test_end();
+}
+
 static void tests(void)
 {
+    test_functions();
     test_loop();
     test_exact_weights();
     test_complaints();

@@ -487,7 +487,7 @@ static void test_golden(void)
     laurent_init(&a1);
     integer_init(&two);
     integer_set_si(&two, 2);
-    MUST(regular_derive(&masks, &s.mask));
+    MUST(regular_derive(&masks, &s.mask, MESH_TRIANGLE));
     CHECK(masks.divisible, "a remainder");
     check_derivation(&masks, &s.mask);
     for (int i = 0; i < 2; i++) { /* a_1 is half of 2 a_1 */
@@ -506,7 +506,7 @@ static void test_golden(void)
     test_begin("regular-golden-loop");
     read_scheme(&s, catalogue_text("loop"));
     regular_init(&masks);
-    MUST(regular_derive(&masks, &s.mask));
+    MUST(regular_derive(&masks, &s.mask, MESH_TRIANGLE));
     CHECK(masks.divisible, "a remainder");
     check_derivation(&masks, &s.mask);
     for (int i = 0; i < 3; i++)
@@ -542,7 +542,7 @@ static void check_box_spline(const int *direction, int count, bool divisible, in
     laurent_init(&mask);
     regular_init(&masks);
     box_spline(&mask, direction, count);
-    MUST(regular_derive(&masks, &mask));
+    MUST(regular_derive(&masks, &mask, MESH_TRIANGLE));
     CHECK(masks.divisible == divisible, "divisible: %d", masks.divisible);
     if (divisible)
         check_derivation(&masks, &mask);

@@ -223,8 +223,8 @@ bad_line() { # NAME PATTERN TEXT COLUMN MESSAGE
 
 bad_lines() {
   bad_line name '^scheme' 'scheme Loop' 8: name
-  bad_line mesh '^mesh' 'mesh  square' 7: "'mesh triangle'"
-  bad_line mesh-reserved '^mesh' 'mesh quad' '' 'reserved for a later version'
+  bad_line mesh '^mesh' 'mesh  square' 7: "'triangle', 'quad' or 'quad-dual'"
+  bad_line mesh-quad '^mesh' 'mesh quad' '' '-sum to'
   bad_line dilation '^dilation' 'dilation 3' 10: "'dilation 2'"
   bad_line vertices-reserved '^vertices' 'vertices crease' '' 'reserved for a later version'
   bad_line order '^vertices' 'mask symmetric' 1: "'vertices interior'"
@@ -238,12 +238,12 @@ bad_lines() {
   bad_line symmetric '^mask' mask '' '-sum'
   bad_line operator '^  centre' '  centre 3/8 + * 2' 16: 'expected'
   bad_line unclosed '^  centre' '  centre (3/8' '' "')'"
-  bad_line unknown-name '^  centre' '  centre 3/8 + n' 16: 'expected'
-  bad_line tower '^  centre' '  centre 2^3^2' 13: 'expected'
-  bad_line exponent '^  centre' '  centre 2^65' '' '64'
+  bad_line unknown-name '^  centre' '  centre 3/8 + n' 16: 'unknown word'
+  bad_line tower '^  centre' '  centre 2^3^2' 13: 'parentheses'
+  bad_line exponent '^  centre' '  centre 2^16384' '' '16384 bits'
   bad_line two-rests '^  centre' '  centre rest' '' '-exactly one'
-  bad_line no-rest '^  all' '  all (1,0) 1/2' '' rest
-  bad_line other-points '^  all' '  all (1,1) rest' '' '(1,0)'
+  bad_line no-rest '^  all' '  all (1,0) 1/2' '' '-rest'
+  bad_line other-points '^  all' '  all (0,1) rest' '' 'a point of the sector'
   rm -f bad.scheme
   # The end of the file is a place, too.
   sed '$d' "$loop" >short.scheme

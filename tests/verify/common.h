@@ -32,7 +32,7 @@ static inline void subject_make(subject *z, const char *mask, const char *centre
     scheme_init(&z->scheme);
     problem_init(&z->problem);
     snprintf(text, sizeof text, SCHEME_FORMAT, mask, centre);
-    if (scheme_read(&z->scheme, text, strlen(text), &d) != STATUS_OK) {
+    if (scheme_read(&z->scheme, text, strlen(text), NULL, &d) != STATUS_OK) {
         CHECK(false, "centre %s: %ld:%ld: %s", centre, d.line, d.column, d.text);
         test_end();
         exit(1);

@@ -11,7 +11,7 @@
 enum {
     MIN_VALENCE = 3, MAX_VALENCE = 4096,
     MIN_GRID = 64, MAX_GRID = 8192, BITS_ABOVE_GRID = 64,
-    MAX_CONTRACTION = 10, MAX_POWER = 10000,
+    MAX_CONTRACTION = 10, MAX_POWER = 10000, MAX_TOTAL_POWER = 200000,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
     MAX_DECIMAL = 9                                /* digits; all limits have less */
@@ -244,15 +244,20 @@ static void read_eigenpair(struct certificate *c)
 
 static void read_powers(struct certificate *c)
 {
-    int count = c->valence / 2 + 1;
+    int count = c->valence / 2 + 1, total = 0;     /* at most 2049 * MAX_POWER */
     struct record r;
 
     c->power = allocate((size_t)count, sizeof c->power[0]);
     begin_record(&r, c, "power");
-    for (int m = 0; m < count; m++)
+    for (int m = 0; m < count; m++) {
         c->power[m] = read_decimal(&r, 0, MAX_POWER);
+        total += c->power[m];
+    }
     end_record(&r);
     c->line_of.power = r.line;
+    if (total > MAX_TOTAL_POWER)
+        cannot_check_at(c->file, r.line, 0, "expected powers whose sum is at most %d",
+                        MAX_TOTAL_POWER);
 }
 
 static void read_decisions(struct certificate *c)

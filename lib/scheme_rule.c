@@ -1,0 +1,171 @@
+/* scheme_rule.c: rules at and near the extraordinary place. */
+#include "scheme_reader.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* WEIGHT: `rest`, or a formula. */
+static status read_weight(formula **f, scheme_reader *r, unsigned allowed)
+{
+    if (reader_take_word(r, "rest"))
+        return reader_expect_end(r);
+    return reader_formula(f, r, allowed);
+}
+
+/* Behind `@`: the variable j, or a whole number. */
+static status read_offset(source *s, scheme_reader *r)
+{
+    bool negative;
+    int digits = 0;
+    if (reader_take_word(r, "j")) {
+        s->kind = SOURCE_SECTORS;
+        return STATUS_OK;
+    }
+    negative = reader_take(r, '-');
+    while (r->at < r->line->length && is_digit(r->line->text[r->at]) && digits < 4) {
+        s->offset = 10 * s->offset + (r->line->text[r->at++] - '0');
+        digits++;
+    }
+    s->offset = negative ? -s->offset : s->offset;
+    return digits >= 1 && digits <= 3 ? STATUS_OK : reader_expected(r, "j, or a whole number of sectors");
+}
+
+/* Behind `spectrum`: a formula in k and m, or two with a comma between: real and imaginary part. */
+static status read_spectrum(source *s, scheme_reader *r)
+{
+    unsigned allowed = FORMULA_ON_VALENCE | FORMULA_ON_FREQUENCY;
+    size_t comma = r->at;
+    int depth = 0;
+    status result;
+    while (comma < r->line->length && (depth > 0 || r->line->text[comma] != ',')) {
+        depth += (r->line->text[comma] == '(') - (r->line->text[comma] == ')');
+        comma++;
+    }
+    result = reader_formula_until(&s->weight, r, comma, allowed);
+    if (result == STATUS_OK && reader_take(r, ','))
+        result = reader_formula(&s->imaginary, r, allowed);
+    return result;
+}
+
+static status read_source(source *s, scheme_reader *r)
+{
+    mesh_kind mesh = r->z->mesh;
+    unsigned allowed = FORMULA_ON_VALENCE;
+    status result;
+    memset(s, 0, sizeof *s);
+    if (reader_take_word(r, "centre")) {
+        if (mesh == MESH_DUAL)
+            return reader_complain(r, "a %s mesh has no point in its centre", "dual");
+        s->kind = SOURCE_CENTRE;
+        return read_weight(&s->weight, r, allowed);
+    }
+    s->kind = reader_take_word(r, "all") ? SOURCE_ALL : SOURCE_POINT;
+    result = reader_sector_point(&s->point, mesh, r);
+    if (result != STATUS_OK)
+        return result;
+    if (s->kind == SOURCE_POINT && reader_take_word(r, "spectrum")) {
+        s->kind = SOURCE_SPECTRUM;
+        return read_spectrum(s, r);
+    }
+    if (s->kind == SOURCE_POINT && reader_take(r, '@')) {
+        result = read_offset(s, r);
+        if (result != STATUS_OK)
+            return result;
+    }
+    if (s->kind == SOURCE_SECTORS)
+        allowed |= FORMULA_ON_SECTOR;
+    return read_weight(&s->weight, r, allowed);
+}
+
+/* Sums to 1 exactly: one weight is `rest`; if none is, then the value of the one spectrum at m = 0 is. */
+static status check_rest(rule *z, const scheme_reader *r)
+{
+    int rests = 0, spectra = 0;
+    for (int i = 0; i < z->count; i++) {
+        spectra += z->sources[i].kind == SOURCE_SPECTRUM;
+        rests += !z->sources[i].weight;
+        if (!z->sources[i].weight && z->sources[i].kind == SOURCE_SECTORS)
+            return reader_complain(r, "%s cannot be the weights of all sectors; give it to another point", "'rest'");
+    }
+    z->spectrum_takes_rest = rests == 0 && spectra == 1;
+    if (rests == 1 || z->spectrum_takes_rest)
+        return STATUS_OK;
+    return reader_complain(r, "exactly one weight of a rule must be %s, so that they sum to 1 exactly", "'rest'");
+}
+
+/* Behind the target: nothing, or `when CONDITION`. */
+static status read_when(rule *z, scheme_reader *r)
+{
+    if (reader_at_end(r))
+        return STATUS_OK;
+    if (!reader_take_word(r, "when"))
+        return reader_expected(r, "'when' or the end of the line");
+    reader_skip_blank(r);
+    status s = formula_read_condition(&z->condition, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column + r->at,
+                                      &r->z->definitions, FORMULA_ON_VALENCE, r->complaint);
+    r->at = r->line->length;
+    return s;
+}
+
+static status read_rule_body(rule *z, scheme_reader *r)
+{
+    status s = STATUS_OK;
+    z->line = r->line->line;
+    if (reader_take_word(r, "centre"))
+        z->at_centre = true;
+    else
+        s = reader_sector_point(&z->point, r->z->mesh, r);
+    if (s == STATUS_OK && z->at_centre && r->z->mesh == MESH_DUAL)
+        s = reader_complain(r, "a %s mesh has no point in its centre", "dual");
+    if (s == STATUS_OK)
+        s = read_when(z, r);
+    while (s == STATUS_OK) {
+        reader_next_line(r);
+        if (!r->line)
+            return reader_expected(r, "a source with its weight, or 'end'");
+        if (reader_take_word(r, "end"))
+            break;
+        if (z->count == SCHEME_MAX_SOURCES)
+            return reader_complain(r, "a rule may have %s sources at most", "32");
+        s = read_source(&z->sources[z->count], r);
+        z->count++; /* also after a complaint: its formulas are freed with the rule */
+    }
+    if (s == STATUS_OK)
+        s = reader_expect_end(r);
+    return s == STATUS_OK ? check_rest(z, r) : s;
+}
+
+/* Is a rule evidently the same seen in a mirror?  The target must lie on a spoke or a bisector, and the sources be
+   the centre, whole rings, or the target's own label with a real spectrum. */
+static bool is_mirror_symmetric(const rule *z, mesh_kind mesh)
+{
+    bool spoke = !z->at_centre && mesh != MESH_DUAL && z->point.b == 0;
+    if (!z->at_centre && !spoke && z->point.a != z->point.b)
+        return false;
+    for (int i = 0; i < z->count; i++) {
+        const source *s = &z->sources[i];
+        bool same_axis = !z->at_centre && (spoke ? s->point.b == 0 && mesh != MESH_DUAL : s->point.a == s->point.b);
+        if (s->kind == SOURCE_SECTORS || s->imaginary || (s->kind == SOURCE_POINT && (s->offset != 0 || !same_axis)) || (s->kind == SOURCE_SPECTRUM && !same_axis))
+            return false;
+    }
+    return true;
+}
+
+/* The current line begins with `rule`. */
+status read_rule(scheme_reader *r)
+{
+    scheme_step *step = &r->z->steps[0];
+    rule *grown;
+    status s;
+    if (step->rule_count == SCHEME_MAX_RULES)
+        return reader_complain(r, "a scheme may have %s rules at most", "16");
+    grown = realloc(step->rules, (size_t)(step->rule_count + 1) * sizeof *grown);
+    if (!grown)
+        return STATUS_NO_MEMORY;
+    step->rules = grown;
+    memset(&step->rules[step->rule_count], 0, sizeof *grown);
+    s = read_rule_body(&step->rules[step->rule_count++], r);
+    if (s == STATUS_OK && !is_mirror_symmetric(&step->rules[step->rule_count - 1], r->z->mesh))
+        r->z->mirror_symmetric = false;
+    return s;
+}

@@ -1,0 +1,49 @@
+/* step.h: the steps of a scheme applied to sector nets: masks, and rules near the extraordinary vertex, for one valence
+   and one frequency.  Compiled once per number system. */
+#ifndef LIB_STEP_H
+#define LIB_STEP_H
+
+#include "scheme.h"
+#include "sector.h"
+
+#define scheme_numbers_make NUMBER_NAME(scheme_numbers_make)
+#define scheme_numbers_set_frequency NUMBER_NAME(scheme_numbers_set_frequency)
+#define scheme_numbers_free NUMBER_NAME(scheme_numbers_free)
+#define scheme_subdivide NUMBER_NAME(scheme_subdivide)
+
+/* A rule's effect on nets of one frequency: the sum of matrix[i] times the value at point[i] of the own sector,
+   and of `centre` times the centre. */
+typedef struct {
+    const rule *rule;
+    int count;
+    lattice point[SCHEME_MAX_SOURCES];
+    pair_matrix matrix[SCHEME_MAX_SOURCES];
+    number centre;
+} rule_numbers;
+
+typedef struct {
+    mask_numbers mask;
+    rule_numbers *rules; /* those that hold at this valence */
+    int rule_count;
+} step_numbers;
+
+typedef struct {
+    const scheme *scheme;
+    long k, m;
+    long prec;
+    step_numbers steps[SCHEME_MAX_STEPS];
+} scheme_numbers;
+
+/* Everything that does not depend on the frequency.  On any status scheme_numbers_free. */
+status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec, diagnostic *d);
+/* The rules for frequency m, with the twist that the nets will have (NULL for m = 0). */
+status scheme_numbers_set_frequency(scheme_numbers *z, long m, const twist *t, diagnostic *d);
+void scheme_numbers_free(scheme_numbers *z);
+
+typedef enum { SUBDIVIDE_OK, SUBDIVIDE_OPPOSITE, SUBDIVIDE_NO_CENTRE_RULE, SUBDIVIDE_NO_MEMORY } subdivide_status;
+
+/* new = the net after one subdivision, on the rings 1..rings; old must have scheme_rings_needed(scheme, rings) rings at
+   least.  new is made here; on any status sector_net_free. */
+subdivide_status scheme_subdivide(sector_net *new_net, const sector_net *old_net, const scheme_numbers *numbers, int rings);
+
+#endif

@@ -1,0 +1,134 @@
+/* spectrum_blocks.c: all eigenvalues of all blocks of one valence.  Compiled once per number system. */
+#include "spectrum_list.h"
+
+#include "../lib/block.h"
+#include "../lib/eigenvalues.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define list_blocks NUMBER_NAME(list_blocks)
+status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long prec, diagnostic *d);
+
+/* [lower, upper] contains the moduli of all points of the disc. */
+static void bound_modulus(double *lower, double *upper, const eigenvalue_disc *d, long prec)
+{
+    number modulus, t;
+    number_init(&modulus);
+    number_init(&t);
+    number_sqr(&modulus, &d->re, prec);
+    number_sqr(&t, &d->im, prec);
+    number_add(&modulus, &modulus, &t, prec);
+    number_sqrt(&modulus, &modulus, prec);
+    number_add(&t, &modulus, &d->radius, prec);
+    *upper = number_upper_bound(&t);
+    number_sub(&t, &modulus, &d->radius, prec);
+    *lower = fmax(0, number_lower_bound(&t));
+    number_clear(&modulus);
+    number_clear(&t);
+}
+
+static bool add_disc(spectrum_list *z, const eigenvalue_disc *d, long m, int digits, long prec)
+{
+    spectrum_entry *e = spectrum_list_add(z);
+    number part;
+    if (!e)
+        return false;
+    number_init(&part);
+    e->m = m;
+    e->count = d->count;
+    e->real = d->real;
+    bound_modulus(&e->modulus_lower, &e->modulus_upper, d, prec);
+    number_add_error(&part, &d->re, &d->radius, prec);
+    e->re = number_get_decimal(&part, digits);
+    if (!d->real) {
+        number_add_error(&part, &d->im, &d->radius, prec);
+        e->im = number_get_decimal(&part, digits);
+    }
+    number_clear(&part);
+    return e->re && (d->real || e->im);
+}
+
+/* No enclosure: the sum of a row bounds all. */
+static bool add_bound(spectrum_list *z, const block *b, long prec)
+{
+    spectrum_entry *e = spectrum_list_add(z);
+    number sum, size;
+    if (!e)
+        return false;
+    number_init(&sum);
+    number_init(&size);
+    e->m = b->m;
+    e->count = b->n;
+    for (int i = 0; i < b->n; i++) {
+        number_zero(&sum);
+        for (int j = 0; j < b->n; j++) {
+            number_magnitude_upper(&size, &b->entry[i * b->n + j], prec);
+            number_add(&sum, &sum, &size, prec);
+            if (b->imaginary) {
+                number_magnitude_upper(&size, &b->imaginary[i * b->n + j], prec);
+                number_add(&sum, &sum, &size, prec);
+            }
+        }
+        e->modulus_upper = fmax(e->modulus_upper, number_upper_bound(&sum));
+    }
+    number_clear(&sum);
+    number_clear(&size);
+    return true;
+}
+
+static status list_block(spectrum_list *z, scheme_numbers *numbers, long m, int digits, diagnostic *d)
+{
+    block b;
+    eigenvalues e;
+    status result = STATUS_OK;
+    bool ok = true;
+    switch (block_make(&b, numbers, m, numbers->scheme->mirror_symmetric, d)) {
+    case BLOCK_OK:
+        switch (eigenvalues_enclose(&e, b.entry, b.imaginary, b.n, numbers->prec)) {
+        case TRUTH_TRUE:
+            for (int i = 0; ok && i < e.count; i++)
+                ok = add_disc(z, &e.disc[i], m, digits, numbers->prec);
+            break;
+        case TRUTH_UNKNOWN:
+            ok = add_bound(z, &b, numbers->prec);
+            break;
+        default:
+            ok = false;
+        }
+        eigenvalues_free(&e);
+        break;
+    case BLOCK_OPPOSITE:
+        result = diagnostic_set(d, 0, 0, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+        break;
+    case BLOCK_NO_CENTRE_RULE:
+        result = diagnostic_set(d, 0, 0, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+        break;
+    case BLOCK_BAD_INPUT:
+        result = STATUS_BAD_INPUT;
+        break;
+    default:
+        ok = false;
+    }
+    block_free(&b);
+    return ok ? result : STATUS_NO_MEMORY;
+}
+
+status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long prec, diagnostic *d)
+{
+    scheme_numbers numbers;
+    status result = scheme_numbers_make(&numbers, s, k, prec, d);
+    for (long m = 0; result == STATUS_OK && m <= k / 2; m++)
+        result = list_block(z, &numbers, m, digits, d);
+    scheme_numbers_free(&numbers);
+    return result;
+}
+
+/* The rounding mode is set round calls that contain no arithmetic of their own (bigfloat/number.h). */
+status NUMBER_NAME(spectrum_list_make)(spectrum_list *z, const scheme *s, long k, int digits, long prec, diagnostic *d)
+{
+    number_mode mode = number_enter();
+    status result = list_blocks(z, s, k, digits, prec, d);
+    number_leave(mode);
+    return result;
+}
