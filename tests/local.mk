@@ -71,6 +71,7 @@ tests_check_t_check_spectrum_LDADD =
 GENERIC_TESTS = \
   tests/lib/t-formula_value \
   tests/lib/t-block \
+  tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \
   tests/lib/t-eigenvalues \
@@ -78,6 +79,7 @@ GENERIC_TESTS = \
   tests/lib/t-charnet
 
 SCRIPT_TESTS = \
+  tests/lib/bad-schemes.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
@@ -89,6 +91,7 @@ SCRIPT_TESTS = \
 
 # Files that tests read.
 EXTRA_DIST += \
+  tests/lib/catalogue-golden.txt tests/lib/bad-schemes \
   tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
   tests/check/butterfly.scheme tests/check/butterfly-5.cert \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
