@@ -152,139 +152,281 @@ static void dot_one_by_one(ball *z, const ball *x, long xs, const ball *y, long 
     ball_clear(&t);
 }
 
-/* ---- all mantissas of one length of at most 4 limbs, some error: the common case ----
+/* ---- all mantissas of one length n, nearly full, and not far apart: the common case ----
 
-   As above with L = n + 1.  The two parts of a term's error, u err_y at the scale i and v err_x at j (as in
-   fixed_product_error), are words below 2^62; with K >= all scales + bits(N) + 1 their sum stays below 2^63. */
+   As above with L = n + 1 and T = 128 n + the highest exponent, at most 30 bits too high, so that a product of the
+   highest exponent loses its lowest n - 1 limbs and some bits: most of what they are made of is not even formed.
+   Errors are words at one scale above each term's exponent.  See errors.md, "Dot products". */
+
+#define EVEN_LIMBS 32                    /* longer mantissas go the general way */
+#define EVEN_TERMS ((size_t)1 << 12)
+#define EVEN_LEAST_TOP ((limb_t)1 << 48) /* of the highest limbs, if something is inexact */
+
+typedef struct {
+    int64_t t;        /* accumulator unit */
+    int64_t K, scale; /* error unit; the same, less the scale of error words above a term's exponent */
+    bool inexact;
+} even_frame;
 
 static inline bool has_length(const ball *x, int n) { return x->size == n || x->size == -n; }
 static inline bool is_exact_zero_term(const ball *x, const ball *y)
 {
-    return (!ball_is_special(x) && !ball_is_special(y)) && (ball_is_exact_zero(x) || ball_is_exact_zero(y));
+    return !ball_is_special(x) && !ball_is_special(y) && (ball_is_exact_zero(x) || ball_is_exact_zero(y));
 }
 
-/* The highest top of a product and the highest scale of an error, relative to nothing; false: not this case. */
-FIXED_INLINE bool fixed_range(int64_t *top, int64_t *scale, const ball *x, long xs, const ball *y, long ys, size_t N, const int n)
+/* Places accumulator and error sum; false: not this case. */
+FIXED_INLINE bool even_prepare(even_frame *f, const ball *x, long xs, const ball *y, long ys, size_t N, const int n)
 {
-    int64_t highest = INT64_MIN, highest_scale = INT64_MIN;
+    int64_t highest = INT64_MIN, highest_inexact = INT64_MIN;
+    limb_t least = ~(limb_t)0, errors = 0;
     for (size_t i = 0; i < N; i++, x += xs, y += ys) {
         if (FIXED_UNLIKELY(!has_length(x, n) || !has_length(y, n))) {
             if (!is_exact_zero_term(x, y))
                 return false;
             continue;
         }
-        int ca = limb_clz(ball_limbs(x)[n - 1]), cb = limb_clz(ball_limbs(y)[n - 1]);
-        if (n == 1 && FIXED_UNLIKELY(ca > 30 || cb > 30))
-            return false;
-        int64_t e = x->exponent + y->exponent, t = e - ca - cb;
-        highest = t > highest ? t : highest;
-        t = y->error ? e - ca : INT64_MIN;
-        highest_scale = t > highest_scale ? t : highest_scale;
-        t = x->error ? e - cb : INT64_MIN;
-        highest_scale = t > highest_scale ? t : highest_scale;
+        limb_t a = ball_limbs(x)[n - 1], b = ball_limbs(y)[n - 1], err = x->error | y->error;
+        int64_t e = x->exponent + y->exponent, u = err ? e : INT64_MIN;
+        least = a < least ? a : least;
+        least = b < least ? b : least;
+        errors |= err;
+        highest = e > highest ? e : highest;
+        highest_inexact = u > highest_inexact ? u : highest_inexact;
     }
-    *top = highest + 128 * n;
-    *scale = highest_scale + 64 * n - 31;
-    return highest_scale != INT64_MIN;
-}
-
-/* ceil(word 2^-d) or one more, for word < 2^63, d >= 0; d may be negative where word is 0 */
-FIXED_INLINE limb_t scaled_down(limb_t word, int64_t d)
-{
-    return ((uint64_t)d < 63 ? word >> d : 0) + 1; /* ROUNDING: ceiling */
-}
-
-/* acc += +-w 2^-d, d >= 0, w of 2 n limbs; bits below the unit are cut off. */
-FIXED_INLINE void fixed_accumulate(limb_t *acc, const limb_t *w, uint64_t d, bool subtract, const int n)
-{
-    limb_t mask = 0 - (limb_t)subtract, carry = subtract;
-    unsigned r = (unsigned)d % 64;
-    const limb_t *from = w + d / 64;
-#define S(i) acc[i] = limb_add(acc[i], (from[i] >> r | (from[i + 1] << 1) << (63 - r)) ^ mask, &carry);
-    FIXED_EACH(n, S);
-    S(n)
-#undef S
-}
-
-FIXED_INLINE bool fixed_dot(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, const int n)
-{
-    int64_t top, K;
-    if (!fixed_range(&top, &K, x, xs, y, ys, N, n))
+    /* Exact operands: only those of full length, whose products cannot all be kept. */
+    if (highest == INT64_MIN || least < (errors ? EVEN_LEAST_TOP : (limb_t)1 << 63))
         return false;
-    limb_t acc[5] = {0, 0, 0, 0, 0}, w[14], error = 0;
-    for (int i = 0; i < 14; i++)
-        w[i] = 0;
-    int guard = limb_bits(N) + 1;
-    int64_t t = top + guard - 64 * (n + 1);
-    K += guard;
-    K = K < t ? t : K;
-    for (size_t i = 0; i < N; i++, x += xs, y += ys) {
-        if (FIXED_UNLIKELY(!has_length(x, n) || !has_length(y, n)))
-            continue;
-        const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
-        int64_t e = x->exponent + y->exponent, to = K - e - 64 * n + 31;
-        if ((a[n - 1] & b[n - 1]) >> 63) /* both full: one scale */
-            /* ROUNDING: |m| + err_x and |n|, as in fixed_product_error */
-            error += scaled_down(((a[n - 1] >> 33) + 2) * y->error + ((b[n - 1] >> 33) + 1) * x->error, to);
-        else {
-            unsigned ca = (unsigned)limb_clz(a[n - 1]), cb = (unsigned)limb_clz(b[n - 1]);
-            limb_t u = (fixed_leading(a, n, ca) >> 33) + 2, v = (fixed_leading(b, n, cb) >> 33) + 1;
-            if (n == 1)
-                u += x->error >> (64 - 31 - ca);
-            error += scaled_down(u * y->error, to + ca) + scaled_down(v * x->error, to + cb);
-        }
-        int64_t d = t - e;
-        if (FIXED_UNLIKELY(d < 0 || d >= 128 * n)) {
-            if (d < 0)
-                return false;
-            continue; /* below the unit */
-        }
-        fixed_multiply(w, a, b, n);
-        fixed_accumulate(acc, w, (uint64_t)d, (x->size ^ y->size) < 0, n);
+    int guard = limb_bits(N) + 1, down = guard - (BALL_ERROR_BITS - limb_bits(errors));
+    f->t = highest + guard + 64 * (n - 1);
+    f->inexact = errors != 0;
+    f->scale = (f->inexact ? highest_inexact : highest) + (down > 0 ? down : 0);
+    f->K = f->scale + 64 * n - 31;
+    if (f->K < f->t) {
+        f->scale += f->t - f->K;
+        f->K = f->t;
     }
-    limb_t mask = 0 - (acc[n] >> 63), carry = mask & 1;
-    for (int i = 0; i <= n; i++)
-        acc[i] = limb_add(acc[i] ^ mask, 0, &carry);
-    int64_t k;
-    error = ball_error_sum(&k, N, 0, error, K - t); /* ROUNDING (hidden by the ceilings of the errors): N terms,
-                                                           less than one unit each */
-    ball_store(z, acc, (size_t)n + 1, mask != 0, error, k, t, prec);
     return true;
 }
 
-FIXED_INLINE bool dot_any_length(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec)
+/* The error of x y, in units of 2^K, rounded down. */
+FIXED_INLINE limb_t even_error(const even_frame *f, const ball *x, const ball *y, limb_t a, limb_t b, int64_t e)
 {
-    int64_t room = ball_room_bits(prec);
-    int n = fixed_length(x, y, room);
-    if (n == 0 || room != 64 * n)
+    /* ROUNDING: |m| + err_x and |n|, in units of 2^(64 n - 31) */
+    limb_t word = ((a >> 33) + 2) * y->error + ((b >> 33) + 1) * x->error;
+    uint64_t d = (uint64_t)(f->scale - e); /* negative only where word is 0 */
+    return word >> (d < 63 ? d : 63);
+}
+
+/* The sum of n + 1 limbs and the errors as a ball. */
+FIXED_INLINE void even_finish(ball *z, const even_frame *f, limb_t *acc, limb_t error, size_t N, long prec, const int n)
+{
+    limb_t mask = 0 - (acc[n] >> 63), carry = mask & 1;
+    for (int i = 0; i <= n; i++)
+        acc[i] = limb_add(acc[i] ^ mask, 0, &carry);
+    error += f->inexact ? N : 0; /* ROUNDING (hidden by the next one): ceilings of N errors */
+    int64_t k;
+    /* ROUNDING: N products, each less than a unit too low when it is cut, and all together n / 2 for the limbs left out */
+    error = ball_error_sum(&k, N + (limb_t)n / 2, 0, error, f->K - f->t);
+    ball_store(z, acc, (size_t)n + 1, mask != 0, error, k, f->t, prec);
+}
+
+/* w = limbs n - 2 .. 2 n - 1 of a b, too small by at most (n - 2) B: the products a[i] b[j] with i + j < n - 2 are
+   left out, as in limb_multiply_high. */
+FIXED_INLINE void even_multiply(limb_t *w, const limb_t *a, const limb_t *b, const int n)
+{
+    if (n == 1) {
+        w[0] = 0;
+        w[1] = limb_mul(&w[2], a[0], b[0]);
+        return;
+    }
+#define S(k, j)                                  \
+    if ((k) < (j) + 2 && n - 2 - (j) + (k) >= 0) \
+        w[k] = limb_muladd(a[n - 2 - (j) + (k) >= 0 ? n - 2 - (j) + (k) : 0], b[j], w[k], &carry);
+#define ROW(j)                                                                  \
+    if ((j) < n) {                                                              \
+        limb_t carry = 0;                                                       \
+        S(0, j) S(1, j) S(2, j) S(3, j) S(4, j) S(5, j) S(6, j) S(7, j) S(8, j) \
+        w[(j) + 2] = carry;                                                     \
+    }
+    w[0] = w[1] = 0;
+    ROW(0) ROW(1) ROW(2) ROW(3) ROW(4) ROW(5) ROW(6) ROW(7)
+#undef ROW
+#undef S
+}
+
+/* acc += p, n + 1 limbs, n <= 4 or 8 */
+FIXED_INLINE void even_sum(limb_t *acc, const limb_t *p, const int n)
+{
+#if LIMB_HAVE_ADX
+#define TAIL : "cc"
+    if (n == 1)
+        __asm__("addq %2, %0\n\tadcq %3, %1" : "+&r"(acc[0]), "+&r"(acc[1]) : "r"(p[0]), "r"(p[1]) TAIL);
+    else if (n == 2)
+        __asm__("addq %3, %0\n\tadcq %4, %1\n\tadcq %5, %2"
+                : "+&r"(acc[0]), "+&r"(acc[1]), "+&r"(acc[2]) : "rm"(p[0]), "rm"(p[1]), "rm"(p[2]) TAIL);
+    else if (n == 3)
+        __asm__("addq %4, %0\n\tadcq %5, %1\n\tadcq %6, %2\n\tadcq %7, %3"
+                : "+&r"(acc[0]), "+&r"(acc[1]), "+&r"(acc[2]), "+&r"(acc[3])
+                : "rm"(p[0]), "rm"(p[1]), "rm"(p[2]), "rm"(p[3]) TAIL);
+    else if (n == 4)
+        __asm__("addq %5, %0\n\tadcq %6, %1\n\tadcq %7, %2\n\tadcq %8, %3\n\tadcq %9, %4"
+                : "+&r"(acc[0]), "+&r"(acc[1]), "+&r"(acc[2]), "+&r"(acc[3]), "+&r"(acc[4])
+                : "rm"(p[0]), "rm"(p[1]), "rm"(p[2]), "rm"(p[3]), "rm"(p[4]) TAIL);
+    else {
+        limb_t t;
+#define STEP(i, add) "movq 8*" #i "(%[p]), %[t]\n\t" #add " %[t], 8*" #i "(%[acc])\n\t"
+        __asm__(STEP(0, addq) STEP(1, adcq) STEP(2, adcq) STEP(3, adcq) STEP(4, adcq) STEP(5, adcq) STEP(6, adcq)
+                STEP(7, adcq) STEP(8, adcq)
+                : [t] "=&r"(t), "+m"(*(limb_t(*)[9])acc)
+                : [acc] "r"(acc), [p] "r"(p), "m"(*(const limb_t(*)[9])p)
+                : "cc");
+#undef STEP
+    }
+#undef TAIL
+#else
+    limb_t carry = 0;
+    for (int i = 0; i <= n; i++)
+        acc[i] = limb_add(acc[i], p[i], &carry);
+#endif
+}
+
+/* to = from >> d, n + 1 limbs */
+static FIXED_NOINLINE void far_shift(limb_t *to, const limb_t *from, int64_t d, int n)
+{
+    for (int i = 0; i <= n; i++) {
+        int64_t at = i + d / 64;
+        limb_t low = at <= n ? from[at] : 0, high = at < n ? from[at + 1] : 0;
+        to[i] = low >> (d % 64) | (high << 1) << (63 - d % 64);
+    }
+}
+
+/* S(i) for i = 0 .. n, n <= 4 or 8 */
+#define EVEN_EACH(n, S)                    \
+    do {                                   \
+        S(0)                               \
+        S(1)                               \
+        if ((n) > 1) {                     \
+            S(2)                           \
+        }                                  \
+        if ((n) > 2) {                     \
+            S(3)                           \
+        }                                  \
+        if ((n) > 3) {                     \
+            S(4)                           \
+        }                                  \
+        if ((n) > 4) {                     \
+            S(5) S(6) S(7) S(8)            \
+        }                                  \
+    } while (0)
+
+FIXED_INLINE bool fixed_dot(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, const int n)
+{
+    even_frame f;
+    if (!even_prepare(&f, x, xs, y, ys, N, n))
         return false;
+    limb_t acc[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0}, error = 0, negatives = 0;
+    for (size_t i = 0; i < N; i++, x += xs, y += ys) {
+        if (FIXED_UNLIKELY(!x->size || !y->size))
+            continue;
+        const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
+        int64_t e = x->exponent + y->exponent;
+        limb_t w[11], p[9], negative = (limb_t)((uint32_t)(x->size ^ y->size) >> 31), mask = 0 - negative;
+        negatives += negative;
+        error += even_error(&f, x, y, a[n - 1], b[n - 1], e);
+        even_multiply(w, a, b, n);
+        uint64_t r = (uint64_t)(f.t - e) - 64 * ((uint64_t)n - 1); /* >= 2 */
+        /* cut first, then complemented: one less than the opposite, which `negatives` repairs */
+        if (FIXED_UNLIKELY(r >= 64)) {
+            limb_t near[9], far[9]; /* so that w and p stay in registers elsewhere */
+#define S(i) near[i] = w[(i) + 1];
+            EVEN_EACH(n, S);
+#undef S
+            far_shift(far, near, (int64_t)r, n);
+#define S(i) p[i] = far[i] ^ mask;
+            EVEN_EACH(n, S);
+#undef S
+        } else {
+#define S(i) p[i] = (w[(i) + 1] >> r | ((i) < n ? w[(i) + 2] << (64 - r) : 0)) ^ mask;
+            EVEN_EACH(n, S);
+#undef S
+        }
+        even_sum(acc, p, n);
+    }
+    limb_t sum[9], carry = 0;
+#define S(i) sum[i] = limb_add(acc[i], (i) ? 0 : negatives, &carry);
+    EVEN_EACH(n, S);
+#undef S
+    even_finish(z, &f, sum, error, N, prec, n);
+    return true;
+}
+
+/* acc +- w >> r, n + 1 limbs, 0 < r < 64 */
+static inline void row_accumulate(limb_t *acc, const limb_t *w, unsigned r, limb_t mask, int n)
+{
+    limb_t carry = mask & 1;
+    for (int i = 0; i < n; i++)
+        acc[i] = limb_add(acc[i], (w[i] >> r | w[i + 1] << (64 - r)) ^ mask, &carry);
+    acc[n] = limb_add(acc[n], w[n] >> r ^ mask, &carry);
+}
+
+/* The same for other lengths. */
+static bool long_dot(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, const int n)
+{
+    even_frame f;
+    if (!even_prepare(&f, x, xs, y, ys, N, n))
+        return false;
+    limb_t acc[EVEN_LIMBS + 1], w[EVEN_LIMBS + 2], far[EVEN_LIMBS + 1], error = 0;
+    limb_zero(acc, (size_t)n + 1);
+    for (size_t i = 0; i < N; i++, x += xs, y += ys) {
+        if (FIXED_UNLIKELY(!x->size || !y->size))
+            continue;
+        const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
+        int64_t e = x->exponent + y->exponent, r = f.t - e - 64 * (n - 1);
+        error += even_error(&f, x, y, a[n - 1], b[n - 1], e);
+        limb_multiply_high(w, a, b, (size_t)n);
+        const limb_t *from = w + 1;
+        if (FIXED_UNLIKELY(r >= 64)) {
+            far_shift(far, from, r - 1, n);
+            from = far;
+            r = 1; /* what row_accumulate has to shift */
+        }
+        row_accumulate(acc, from, (unsigned)r, 0 - (limb_t)((uint32_t)(x->size ^ y->size) >> 31), n);
+    }
+    even_finish(z, &f, acc, error, N, prec, n);
+    return true;
+}
+
+FIXED_INLINE bool dot_any_length(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
+{
     switch (n) {
     case 1: return fixed_dot(z, x, xs, y, ys, N, prec, 1);
     case 2: return fixed_dot(z, x, xs, y, ys, N, prec, 2);
     case 3: return fixed_dot(z, x, xs, y, ys, N, prec, 3);
-    default: return fixed_dot(z, x, xs, y, ys, N, prec, 4);
+    case 4: return fixed_dot(z, x, xs, y, ys, N, prec, 4);
+    case 8: return fixed_dot(z, x, xs, y, ys, N, prec, 8);
+    default: return long_dot(z, x, xs, y, ys, N, prec, n);
     }
 }
 
 #if LIMB_HAVE_ADX
-FIXED_BMI2 static bool dot_short_bmi2(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec)
+FIXED_BMI2 static bool dot_even_bmi2(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
 {
-    return dot_any_length(z, x, xs, y, ys, N, prec);
+    return dot_any_length(z, x, xs, y, ys, N, prec, n);
 }
 #endif
 
-static bool dot_short(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec)
+static bool dot_even(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
 {
-    return dot_any_length(z, x, xs, y, ys, N, prec);
+    return dot_any_length(z, x, xs, y, ys, N, prec, n);
 }
 
 void ball_dot_strided(ball *z, const ball *x, long xs, const ball *y, long ys, size_t n, long prec)
 {
     range r;
     accumulator s;
-    if (n && n >> 30 == 0 && FIXED_BEST(dot_short)(z, x, xs, y, ys, n, prec))
-        return;
     int64_t room = ball_room_bits(prec);
+    if (n && n < EVEN_TERMS && room <= 64 * EVEN_LIMBS && FIXED_BEST(dot_even)(z, x, xs, y, ys, n, prec, (int)(room / 64)))
+        return;
     if (n == 0 || n >> 30 || room > 64 * (DOT_LIMBS - 2) || !find_range(&r, x, xs, y, ys, n)
         || !(r.any || r.any_error)) {
         dot_one_by_one(z, x, xs, y, ys, n, prec);

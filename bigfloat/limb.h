@@ -167,6 +167,8 @@ bool limb_square(limb_t *z, const limb_t *a, size_t n);
 /* Never allocates: quadratic time. */
 void limb_multiply_basecase(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb);
 void limb_square_basecase(limb_t *z, const limb_t *a, size_t n);
+/* z = a b / 2^(64 (n - 2)), n + 2 limbs, too small by at most (n - 2) 2^64; n >= 2, both have n limbs. */
+void limb_multiply_high(limb_t *z, const limb_t *a, const limb_t *b, size_t n);
 
 /* ---- division (limb_div.c) ---- */
 

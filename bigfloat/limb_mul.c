@@ -32,6 +32,24 @@ void limb_multiply_basecase(limb_t *z, const limb_t *a, size_t na, const limb_t 
         z[na + i] = limb_addmul_1(z + i, a, na, b[i]);
 }
 
+/* The sum of a[i] b[j] B^(i + j - n + 2) over i + j >= n - 2.  Left out, in units of 1, is at most the sum of
+   (k + 1) (B - 1)^2 B^k over k <= n - 3, which is at most (n - 2) (B - 1) (B^(n - 2) - 1) < (n - 2) B^(n - 1). */
+void limb_multiply_high(limb_t *z, const limb_t *a, const limb_t *b, size_t n)
+{
+    z[0] = z[1] = 0;
+#if LIMB_HAVE_ADX
+    if (limb_processor_has_adx()) {
+        for (size_t j = 0; j + 1 < n; j++)
+            z[j + 2] = limb_addmul_1_adx(z, a + n - 2 - j, j + 2, b[j]);
+        z[n + 1] = limb_addmul_1_adx(z + 1, a, n, b[n - 1]);
+        return;
+    }
+#endif
+    for (size_t j = 0; j + 1 < n; j++)
+        z[j + 2] = limb_addmul_1(z, a + n - 2 - j, j + 2, b[j]);
+    z[n + 1] = limb_addmul_1(z + 1, a, n, b[n - 1]);
+}
+
 /* z = sum of a[i] a[j] B^(i + j) over i < j */
 static void off_diagonal(limb_t *z, const limb_t *a, size_t n)
 {

@@ -398,22 +398,23 @@ static void test_dot_full_lengths(void)
 {
     test_begin("ball-dot-full-lengths");
     for (test_cases(10000); test_next();) {
-        size_t n = (size_t)random_range(1, 5), N = (size_t)random_range(1, 4);
-        uint64_t limb[5];
+        size_t n = (size_t)(random_below(5) ? random_range(1, 5) : random_bool() ? 8 : random_range(6, 33)), N = (size_t)random_range(1, 4);
+        uint64_t limb[33];
         ball x[8], z;
         rational p, q, sum;
         ball_init(&z);
         rational_init(&p), rational_init(&q), rational_init(&sum);
         bool short_errors = random_bool();
+        long spread = random_below(4) ? 66 : 64 * (long)n + 130;
         for (size_t i = 0; i < 2 * N; i++) {
             integer m;
             integer_init(&m);
             ball_init(&x[i]);
             random_limbs(limb, n);
-            limb[n - 1] |= random_below(4) ? (uint64_t)1 << 63 : 1;
+            limb[n - 1] |= (uint64_t)1 << (random_below(4) ? 63 : random_below(4) ? random_range(46, 62) : 0);
             MUST(integer_set_limbs(&m, limb, n, random_below(4) == 0));
             ball_set_parts(&x[i], &m, short_errors ? random_below(3) : random_word() >> (64 - BALL_ERROR_BITS),
-                           random_below(3) ? 0 : random_range(-66, 66));
+                           random_below(3) ? 0 : random_range(-spread, spread));
             integer_clear(&m);
         }
         for (size_t i = 0; i < N; i++) {
@@ -431,13 +432,13 @@ static void test_dot_full_lengths(void)
     test_end();
 }
 
-/* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel, and an inexact term far below. */
+/* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel; alone, and with an inexact term far below. */
 static void test_dot_cancellation(void)
 {
     test_begin("ball-dot-cancellation");
     for (test_cases(500); test_next();) {
-        size_t n = (size_t)random_range(1, 6);
-        uint64_t limb[6];
+        size_t n = (size_t)random_range(1, 9);
+        uint64_t limb[9];
         integer h, one;
         ball x[3], y[3], z;
         rational sum, p, q;
@@ -461,6 +462,8 @@ static void test_dot_cancellation(void)
         random_point_ball(&p, &x[2]), random_point_ball(&q, &y[2]);
         MUST(rational_mul(&p, &p, &q));
         MUST(rational_set_si(&sum, -1, 1));
+        ball_dot(&z, x, y, 2, 64 * (long)n);
+        CHECK(ball_contains_rational(&z, &sum), "exact, %zu limbs", n);
         MUST(rational_add(&sum, &sum, &p));
         ball_dot(&z, x, y, 3, 64 * (long)n);
         CHECK(ball_contains_rational(&z, &sum), "%zu limbs", n);
