@@ -138,14 +138,15 @@ static void finish(ball *z, accumulator *s, long prec)
     ball_store(z, s->acc, s->L, negative, err, k, s->t, prec);
 }
 
-static void dot_one_by_one(ball *z, const ball *x, long xs, const ball *y, long ys, size_t n, long prec)
+/* The sum in the precision `between`. */
+static void dot_one_by_one(ball *z, const ball *x, long xs, const ball *y, long ys, size_t n, long between, long prec)
 {
     ball t, sum;
     ball_init(&t);
     ball_init(&sum);
     for (size_t i = 0; i < n; i++, x += xs, y += ys) {
         ball_mul(&t, x, y, BALL_MAX_PRECISION);
-        ball_add(&sum, &sum, &t, prec + 64);
+        ball_add(&sum, &sum, &t, between);
     }
     ball_set_round(z, &sum, prec);
     ball_clear(&sum);
@@ -160,12 +161,11 @@ static void dot_one_by_one(ball *z, const ball *x, long xs, const ball *y, long 
 
 #define EVEN_LIMBS 32                    /* longer mantissas go the general way */
 #define EVEN_TERMS ((size_t)1 << 12)
-#define EVEN_LEAST_TOP ((limb_t)1 << 48) /* of the highest limbs, if something is inexact */
+#define EVEN_LEAST_TOP ((limb_t)1 << 48) /* of the highest limbs */
 
 typedef struct {
     int64_t t;        /* accumulator unit */
     int64_t K, scale; /* error unit; the same, less the scale of error words above a term's exponent */
-    bool inexact;
 } even_frame;
 
 static inline bool has_length(const ball *x, int n) { return x->size == n || x->size == -n; }
@@ -193,13 +193,12 @@ FIXED_INLINE bool even_prepare(even_frame *f, const ball *x, long xs, const ball
         highest = e > highest ? e : highest;
         highest_inexact = u > highest_inexact ? u : highest_inexact;
     }
-    /* Exact operands: only those of full length, whose products cannot all be kept. */
-    if (highest == INT64_MIN || least < (errors ? EVEN_LEAST_TOP : (limb_t)1 << 63))
+    /* Exact operands go the general way, where a result that is exact and fits stays exact. */
+    if (highest == INT64_MIN || errors == 0 || least < EVEN_LEAST_TOP)
         return false;
     int guard = limb_bits(N) + 1, down = guard - (BALL_ERROR_BITS - limb_bits(errors));
     f->t = highest + guard + 64 * (n - 1);
-    f->inexact = errors != 0;
-    f->scale = (f->inexact ? highest_inexact : highest) + (down > 0 ? down : 0);
+    f->scale = highest_inexact + (down > 0 ? down : 0);
     f->K = f->scale + 64 * n - 31;
     if (f->K < f->t) {
         f->scale += f->t - f->K;
@@ -223,7 +222,7 @@ FIXED_INLINE void even_finish(ball *z, const even_frame *f, limb_t *acc, limb_t 
     limb_t mask = 0 - (acc[n] >> 63), carry = mask & 1;
     for (int i = 0; i <= n; i++)
         acc[i] = limb_add(acc[i] ^ mask, 0, &carry);
-    error += f->inexact ? N : 0; /* ROUNDING (hidden by the next one): ceilings of N errors */
+    error += N; /* ROUNDING (hidden by the next one): ceilings of N errors */
     int64_t k;
     /* ROUNDING: N products, each less than a unit too low when it is cut, and all together n / 2 for the limbs left out */
     error = ball_error_sum(&k, N + (limb_t)n / 2, 0, error, f->K - f->t);
@@ -420,6 +419,14 @@ static bool dot_even(ball *z, const ball *x, long xs, const ball *y, long ys, si
     return dot_any_length(z, x, xs, y, ys, N, prec, n);
 }
 
+static bool all_exact(const ball *x, long xs, const ball *y, long ys, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (ball_is_special(x + (long)i * xs) || ball_is_special(y + (long)i * ys) || x[(long)i * xs].error || y[(long)i * ys].error)
+            return false;
+    return true;
+}
+
 void ball_dot_strided(ball *z, const ball *x, long xs, const ball *y, long ys, size_t n, long prec)
 {
     range r;
@@ -429,7 +436,7 @@ void ball_dot_strided(ball *z, const ball *x, long xs, const ball *y, long ys, s
         return;
     if (n == 0 || n >> 30 || room > 64 * (DOT_LIMBS - 2) || !find_range(&r, x, xs, y, ys, n)
         || !(r.any || r.any_error)) {
-        dot_one_by_one(z, x, xs, y, ys, n, prec);
+        dot_one_by_one(z, x, xs, y, ys, n, all_exact(x, xs, y, ys, n) ? BALL_MAX_PRECISION : prec + 64, prec);
         return;
     }
     int guard = limb_bits(n) + 1;
@@ -437,7 +444,11 @@ void ball_dot_strided(ball *z, const ball *x, long xs, const ball *y, long ys, s
         r.top = r.bottom = r.error_top; /* only errors around 0 */
     if (r.any_error && r.error_top - BALL_ERROR_BITS < r.bottom)
         r.bottom = r.error_top - BALL_ERROR_BITS; /* units fine enough for the errors */
-    int64_t span = r.top - r.bottom + guard, length = span < room + 64 ? span : room + 64;
+    int64_t span = r.top - r.bottom + guard, length = span < room + 64 || !r.any_error ? span : room + 64;
+    if (length > 64 * (DOT_LIMBS - 2)) { /* exact terms, too far apart for the accumulator */
+        dot_one_by_one(z, x, xs, y, ys, n, BALL_MAX_PRECISION, prec);
+        return;
+    }
     s.L = (size_t)(length + 63) / 64;
     s.L += s.L == 0;
     s.t = r.top + guard - 64 * (int64_t)s.L;

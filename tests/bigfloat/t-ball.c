@@ -433,6 +433,41 @@ static void test_dot_full_lengths(void)
 }
 
 /* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel; alone, and with an inexact term far below. */
+/* Exact terms whose sum fits give it exactly, however many zero bits their mantissas carry. */
+static void test_dot_exact(void)
+{
+    test_begin("ball-dot-exact");
+    for (test_cases(3000); test_next();) {
+        size_t N = (size_t)random_range(1, 16);
+        long shift = random_range(0, 44), sum = 0;
+        ball x[32], z;
+        ball_init(&z);
+        for (size_t i = 0; i < N; i++) {
+            long a = random_range(-(1L << 19), 1L << 19), b = random_range(-(1L << 19), 1L << 19);
+            for (int j = 0; j < 2; j++) {
+                integer m;
+                integer_init(&m);
+                ball_init(&x[i + 16 * (size_t)j]);
+                integer_set_si(&m, j ? b : a);
+                MUST(integer_mul_2exp(&m, &m, (unsigned long)shift));
+                ball_set_parts(&x[i + 16 * (size_t)j], &m, 0, -shift);
+                integer_clear(&m);
+            }
+            sum += a * b;
+        }
+        rational exact;
+        rational_init(&exact);
+        MUST(rational_set_si(&exact, sum, 1));
+        ball_dot(&z, x, x + 16, N, 64);
+        CHECK(ball_is_thin(&z) && ball_contains_rational(&z, &exact), "%zu exact terms, shift %ld", N, shift);
+        rational_clear(&exact);
+        for (size_t i = 0; i < N; i++)
+            ball_clear(&x[i]), ball_clear(&x[i + 16]);
+        ball_clear(&z);
+    }
+    test_end();
+}
+
 static void test_dot_cancellation(void)
 {
     test_begin("ball-dot-cancellation");
@@ -480,6 +515,7 @@ int main(void)
 {
     test_full_lengths();
     test_dot_full_lengths();
+    test_dot_exact();
     test_dot_cancellation();
     test_dot();
     test_add();
