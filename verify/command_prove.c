@@ -60,7 +60,7 @@ static int read_options(options *o, int argc, char **argv)
         {NULL, 0, NULL, 0},
     };
     long level = 0;
-    int option;
+    int option, result;
     memset(o, 0, sizeof *o);
     o->limits = (limits){0, 4096, 0, false};
     opterr = 0;
@@ -96,9 +96,9 @@ static int read_options(options *o, int argc, char **argv)
             return complain(EXIT_USAGE, "prove: unknown option or missing value at '%s'; see 'smoothcert prove --help'", argv[optind - 1]);
         }
     }
-    if (optind != argc - 1)
-        return complain(EXIT_USAGE, optind >= argc ? "prove: no scheme given; see 'smoothcert prove --help'" : "prove: more than one scheme given (options are written with two dashes)");
-    o->scheme.name = argv[optind];
+    result = scheme_options_name(&o->scheme, "prove", argc, argv, optind);
+    if (result >= 0)
+        return result;
     if (!o->list)
         return complain(EXIT_USAGE, "prove: no valences given, such as --valence 3..20");
     return -1;

@@ -99,10 +99,7 @@ static int read_options(options *o, int argc, char **argv)
             return complain(EXIT_USAGE, "regular: unknown option or missing value at '%s'; see 'smoothcert regular --help'", argv[optind - 1]);
         }
     }
-    if (optind != argc - 1)
-        return complain(EXIT_USAGE, optind >= argc ? "regular: no scheme given; see 'smoothcert regular --help'" : "regular: more than one scheme given (options are written with two dashes)");
-    o->scheme.name = argv[optind];
-    return -1;
+    return scheme_options_name(&o->scheme, "regular", argc, argv, optind);
 }
 
 /* ---- the analysis ---- */

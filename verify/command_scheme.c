@@ -21,6 +21,16 @@ bool scheme_options_set(scheme_options *o, const char *setting)
     return true;
 }
 
+int scheme_options_name(scheme_options *o, const char *command, int argc, char **argv, int next)
+{
+    if (next >= argc)
+        return complain(EXIT_USAGE, "%s: no scheme given; see 'smoothcert %s --help'", command, command);
+    if (next != argc - 1)
+        return complain(EXIT_USAGE, "%s: more than one scheme given (options are written with two dashes)", command);
+    o->name = argv[next];
+    return -1;
+}
+
 bool read_long_option(long *value, const char *text, long low, long high)
 {
     char *end;

@@ -15,6 +15,10 @@ typedef struct {
 /* Adds NAME=VALUE.  false: there are too many. */
 bool scheme_options_set(scheme_options *o, const char *setting);
 
+/* Takes the one argument that is left behind a command's options as the scheme.  -1: well; else it has complained, and
+   this is the exit status. */
+int scheme_options_name(scheme_options *o, const char *command, int argc, char **argv, int next);
+
 /* Reads the scheme.  -1: well; else it has complained, and this is the exit status. */
 int scheme_options_load(scheme *s, const scheme_options *o);
 

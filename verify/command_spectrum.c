@@ -54,7 +54,7 @@ static int read_options(options *o, int argc, char **argv)
         {"precision", required_argument, NULL, OPTION_PRECISION}, {"digits", required_argument, NULL, OPTION_DIGITS},
         {"json", no_argument, NULL, OPTION_JSON}, {"help", no_argument, NULL, OPTION_HELP}, {NULL, 0, NULL, 0},
     };
-    int option;
+    int option, result;
     memset(o, 0, sizeof *o);
     o->digits = 15;
     opterr = 0;
@@ -86,9 +86,9 @@ static int read_options(options *o, int argc, char **argv)
             return complain(EXIT_USAGE, "spectrum: unknown option or missing value at '%s'; see 'smoothcert spectrum --help'", argv[optind - 1]);
         }
     }
-    if (optind != argc - 1)
-        return complain(EXIT_USAGE, optind >= argc ? "spectrum: no scheme given; see 'smoothcert spectrum --help'" : "spectrum: more than one scheme given");
-    o->scheme.name = argv[optind];
+    result = scheme_options_name(&o->scheme, "spectrum", argc, argv, optind);
+    if (result >= 0)
+        return result;
     if (!o->valence)
         return complain(EXIT_USAGE, "spectrum: no valence given, such as --valence 7");
     return -1;
