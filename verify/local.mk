@@ -40,4 +40,4 @@ smoothcert_SOURCES = \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md verify/scheme-0.md
+EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/scheme-0.md
