@@ -6,6 +6,7 @@ LIB_SOURCES = \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
   lib/formula.h lib/formula.c lib/formula_read.c \
+  lib/exact_range.h lib/exact_range.c \
   lib/text.h lib/text.c \
   lib/mesh.h lib/mesh.c \
   lib/power.h lib/power.c \
@@ -25,6 +26,7 @@ LIB_SOURCES = \
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
   lib/formula_value.h lib/formula_value.c \
+  lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
   lib/block.h lib/block.c \

@@ -71,6 +71,7 @@ tests_check_t_check_spectrum_LDADD =
 GENERIC_TESTS = \
   tests/lib/t-formula_value \
   tests/lib/t-block \
+  tests/lib/t-frequencies \
   tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \
