@@ -15,7 +15,7 @@ LIB_SOURCES = \
   lib/stability.h lib/stability.c \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \
-  lib/scheme_compose.c lib/scheme_read.c \
+  lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
   lib/ring.h lib/ring.c \

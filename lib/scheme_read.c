@@ -82,5 +82,5 @@ status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_set
     if (s != STATUS_OK || (s = read_name(&r)) != STATUS_OK || (s = read_mesh(&r)) != STATUS_OK || (s = read_dilation(&r)) != STATUS_OK
         || (s = read_vertices(&r)) != STATUS_OK || (s = read_definitions(&r)) != STATUS_OK || (s = read_body(&r)) != STATUS_OK)
         return s;
-    return r.line ? reader_expected(&r, "nothing more") : STATUS_OK;
+    return r.line ? reader_expected(&r, "nothing more") : scheme_set_text(&r);
 }

@@ -50,6 +50,8 @@ status read_mask(scheme_reader *r);
 status read_rule(scheme_reader *r);
 /* scheme_compose.c; the current line begins with `compose`. */
 status read_compose(scheme_reader *r);
+/* z->text, when everything has been read. */
+status scheme_set_text(scheme_reader *r);
 
 /* The whole mask of a scheme whose mesh is r->z->mesh: affine, and the same seen from every sector (scheme_mask.c). */
 status check_mask(scheme_reader *r, const laurent *mask);

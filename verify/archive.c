@@ -105,10 +105,10 @@ archive_status archive_open(archive *z, const char *path, const scheme *s)
         return ARCHIVE_IO_ERROR;
     buffer_init(&present);
     if (buffer_read_file(&present, file, MAX_SCHEME_BYTES)) {
-        bool same = present.length == s->source.length && !memcmp(present.bytes ? present.bytes : "", s->source.canonical, present.length);
+        bool same = present.length == s->text_length && !memcmp(present.bytes ? present.bytes : "", s->text, present.length);
         result = same ? ARCHIVE_OK : ARCHIVE_OTHER_SCHEME;
     } else if (errno == ENOENT) {
-        result = store(z, SCHEME_FILE, s->source.canonical, s->source.length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+        result = store(z, SCHEME_FILE, s->text, s->text_length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
     }
     buffer_clear(&present);
     free(file);

@@ -8,24 +8,31 @@ void choices_init(choices *z)
 {
     memset(z, 0, sizeof *z);
     eigenpair_choice_init(&z->eigenpair);
+    integer_init(&z->modulus);
     tree_init(&z->regularity);
     tree_init(&z->boundary);
-}
-
-bool choices_make(choices *z, long valence, long grid)
-{
-    choices_clear(z);
-    z->valence = valence;
-    z->grid = grid;
-    z->power = calloc((size_t)(valence / 2 + 1), sizeof *z->power);
-    return z->power != NULL;
 }
 
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
-    free(z->power);
+    integer_clear(&z->modulus);
+    free(z->blocks);
     tree_clear(&z->regularity);
     tree_clear(&z->boundary);
     choices_init(z);
+}
+
+bool choices_add_block(choices *z, block_choice b)
+{
+    if (z->block_count == z->block_capacity) {
+        int capacity = z->block_capacity ? 2 * z->block_capacity : 16;
+        block_choice *p = realloc(z->blocks, (size_t)capacity * sizeof *p);
+        if (!p)
+            return false;
+        z->blocks = p;
+        z->block_capacity = capacity;
+    }
+    z->blocks[z->block_count++] = b;
+    return true;
 }
