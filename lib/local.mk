@@ -18,6 +18,7 @@ LIB_SOURCES = \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
+  lib/influence.h lib/influence.c \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
@@ -67,5 +68,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

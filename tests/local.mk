@@ -77,7 +77,8 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
-  tests/lib/t-charnet
+  tests/lib/t-charnet \
+  tests/lib/t-ring
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
