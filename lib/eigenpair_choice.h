@@ -8,6 +8,7 @@
 #define EIGENPAIR_INVERSE_BITS 32
 
 typedef struct {
+    bool complex;
     int n;                  /* order of the block */
     int pivot;              /* the component of the eigenvector that is fixed to 1, from 0 */
     long grid;              /* approximation and radius are in units of 2^-grid */

@@ -122,7 +122,7 @@ outcome test_eigenpair(analysis *a)
     if (!a->box || !a->matrix)
         return OUTCOME_NO_MEMORY;
     if (!a->replay)
-        found = eigenpair_choose(&c->eigenpair, a->matrix, a->order, complex_form, c->grid, a->prec);
+        found = eigenpair_choose(&c->eigenpair, a->matrix, a->order, c->grid, a->prec);
     else if (c->eigenpair.n != a->order)
         return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", a->order);
     if (found == TRUTH_TRUE)

@@ -89,7 +89,22 @@ static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limi
     }
 }
 
-void decide_valence(decision *z, const problem *p, long valence, const limits *l)
+/* Does a certificate of an earlier run prove it?  OUTCOME_NO_MEMORY is not told from "no": then it is proved anew. */
+static bool is_proved_before(decision *z, const analysis_plan *plan, const buffer *earlier)
+{
+    if (!earlier || !earlier->length)
+        return false;
+    if (replay(z, plan, earlier) == OUTCOME_TRUE) {
+        buffer_append(&z->certificate, earlier->bytes, earlier->length);
+        z->verdict = VERDICT_PROVED;
+        z->kept_before = true;
+        return true;
+    }
+    findings_clear(&z->findings);
+    return false;
+}
+
+void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l)
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline};
@@ -97,7 +112,10 @@ void decide_valence(decision *z, const problem *p, long valence, const limits *l
     choices_init(&c);
     z->valence = valence;
     c.valence = valence;
-    z->outcome = escalate(z, &c, &plan, l);
+    if (!l->precision && is_proved_before(z, &plan, earlier))
+        z->outcome = OUTCOME_TRUE;
+    else
+        z->outcome = escalate(z, &c, &plan, l);
     choices_clear(&c);
     z->seconds = deadline_now() - start;
 }

@@ -22,6 +22,7 @@ typedef struct {
     verdict verdict;
     outcome outcome;          /* of the last attempt that counts: why the verdict is not another */
     bool plainly_regular;     /* proved by the regular part alone */
+    bool kept_before;         /* proved by the certificate of an earlier run, followed once more */
     findings findings;
     const char *system;       /* of the decisive attempts: "exact", "interval", "ball" */
     long precision;
@@ -33,10 +34,11 @@ void decision_init(decision *z);
 void decision_clear(decision *z);
 
 /* Decides whether the scheme of p is C1 at the valence.  VERDICT_PROVED only after the finished certificate has
-   been read back and followed on grids, as its specification says.
+   been read back and followed on grids, as its specification says.  If `earlier` (NULL or empty: nothing) is such a
+   certificate that was kept before, it is all there is to do, unless l->precision asks for more.
    outcome OUTCOME_NO_MEMORY: nothing was decided for lack of memory; OUTCOME_BAD_INPUT: the scheme has no meaning at this
    valence, the last attempt's reason is "LINE:COLUMN: ..."; OUTCOME_STOPPED: the deadline. */
-void decide_valence(decision *z, const problem *p, long valence, const limits *l);
+void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l);
 
 /* The attempt that says why the verdict is undecided. */
 const attempt *decision_obstacle(const decision *z);

@@ -12,8 +12,11 @@ VERIFY_SOURCES = \
   verify/findings.h verify/findings.c \
   verify/analysis.h \
   verify/escalate.h verify/escalate.c \
+  verify/prove_output.h verify/prove_output.c \
   verify/archive.h verify/archive.c \
   verify/valences.h verify/valences.c \
+  verify/workers.h verify/workers.c \
+  verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c
 
 # Compiled for every kind of number.

@@ -6,6 +6,7 @@
 #include "../lib/spectrum.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Is every eigenvalue of the matrix smaller than the candidate in modulus? */
@@ -98,9 +99,9 @@ static outcome prove_blocks(analysis *a, block_choice *c, bool *diverges)
     if (o == OUTCOME_TRUE && matrix && pivots) {
         rest = number_array_new((size_t)(n - pivots) * (size_t)(n - pivots));
         if (rest && of_dominant)
-            matrix_deflate(rest, matrix, a->box, n, a->choices->eigenpair.pivot, a->choices->eigenpair.complex, a->prec);
+            matrix_deflate(rest, matrix, a->box, n, a->choices->eigenpair.pivot, a->prec);
         else if (rest)
-            matrix_deflate(rest, matrix, NULL, n, 0, false, a->prec);
+            matrix_deflate(rest, matrix, NULL, n, 0, a->prec);
     }
     if (o == OUTCOME_TRUE)
         o = matrix && (rest || !pivots) ? prove_rest(a, pivots ? rest : matrix, n - pivots, c, diverges) : OUTCOME_NO_MEMORY;
