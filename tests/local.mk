@@ -76,6 +76,7 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
+  tests/lib/t-complex_eigenpair \
   tests/lib/t-charnet \
   tests/lib/t-ring
 

@@ -44,7 +44,7 @@ static outcome prove_eigenpair(spectrum_run *r)
     if (!a->box)
         return OUTCOME_NO_MEMORY;
     if (!a->replay)
-        found = eigenpair_choose(&a->choices->eigenpair, a->dominant.entry, n, a->choices->grid, a->prec);
+        found = eigenpair_choose(&a->choices->eigenpair, a->dominant.entry, n, false, a->choices->grid, a->prec);
     else if (a->choices->eigenpair.n != n)
         return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", n);
     if (found == TRUTH_TRUE)
