@@ -78,6 +78,7 @@ GENERIC_TESTS = \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
   tests/lib/t-charnet \
+  tests/lib/t-charnet_schemes \
   tests/lib/t-ring
 
 SCRIPT_TESTS = \
