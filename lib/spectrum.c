@@ -24,6 +24,27 @@ void matrix_deflate(number *z, const number *b, const number *x, int n, int pivo
     }
 }
 
+/* b - x (row p of b) - J x (row p + h of b): with x_i = y + i w row i is b_i - y b_p + w b_(p+h), and row i + h is
+   b_(i+h) - w b_p - y b_(p+h). */
+void matrix_deflate_complex(number *z, const number *b, const number *x, int n, int pivot, long prec)
+{
+    int h = n / 2, next = 0;
+    const number *first = &b[pivot * n], *second = &b[(pivot + h) * n];
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            number *entry = &z[next];
+            if (i % h == pivot || j % h == pivot)
+                continue;
+            number_set(entry, &b[i * n + j]);
+            number_submul(entry, &x[i], &first[j], prec);
+            if (i < h)
+                number_addmul(entry, &x[i + h], &second[j], prec);
+            else
+                number_submul(entry, &x[i - h], &second[j], prec);
+            next++;
+        }
+}
+
 static void square(number *z, const number *c, int n, long prec)
 {
     for (int i = 0; i < n; i++)

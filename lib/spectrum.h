@@ -6,11 +6,17 @@
 #include "../bigfloat/number.h"
 
 #define matrix_deflate NUMBER_NAME(matrix_deflate)
+#define matrix_deflate_complex NUMBER_NAME(matrix_deflate_complex)
 #define spectral_contraction NUMBER_NAME(spectral_contraction)
 
 /* z, (n-1) x (n-1), = b without the eigenvalue of the eigenvector x, x_pivot = 1: b_ij - x_i b_pivot,j, row and
    column `pivot` removed.  Exactly the other eigenvalues remain.  x = NULL is the vector of ones.  z is not b. */
 void matrix_deflate(number *z, const number *b, const number *x, int n, int pivot, long prec);
+
+/* The same for the complex matrix that b = (R, -I; I, R), n x n, stands for (lib/eigenpair.h), and its eigenvector x, n
+   numbers, x_pivot = 1, pivot < n/2: z, (n-2) x (n-2), is the real matrix of the complex one without that eigenvalue.
+   Its eigenvalues are the other ones, and their conjugates. */
+void matrix_deflate_complex(number *z, const number *b, const number *x, int n, int pivot, long prec);
 
 typedef struct {
     truth contracts; /* TRUTH_FALSE: no memory */

@@ -77,7 +77,9 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
+  tests/lib/t-complex_eigenpair \
   tests/lib/t-charnet \
+  tests/lib/t-charnet_schemes \
   tests/lib/t-ring
 
 SCRIPT_TESTS = \

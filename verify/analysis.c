@@ -184,7 +184,7 @@ static bool describe(analysis *a)
     free(f->eigenvalue);
     re = number_get_decimal(&a->box[a->order], digits);
     f->eigenvalue = re;
-    if (!a->choices->eigenpair.complex || !re)
+    if (!a->choices->eigenpair.complex_form || !re)
         return re != NULL;
     im = number_get_decimal(&a->box[a->order + 1], digits);
     f->eigenvalue = im ? malloc(strlen(re) + strlen(im) + 16) : NULL;
@@ -213,7 +213,7 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
         if (a.mask[i].mask)
             mask_numbers_free(&a.mask[i]);
     if (a.box)
-        number_array_free(a.box, (size_t)a.order + 2);
+        number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
     if (a.matrix)
         number_array_free(a.matrix, (size_t)a.order * (size_t)a.order);
     number_clear(&a.scale);

@@ -35,14 +35,14 @@ static void write_trees(buffer *z, const choices *c)
 static void write_eigenpair(buffer *z, const choices *c)
 {
     const eigenpair_choice *e = &c->eigenpair;
-    int values = e->complex ? 2 : 1, others = e->n - values;
-    buffer_print(z, "form %s\npivot %d\n", e->complex ? "complex" : "real", e->pivot + 1);
+    int values = e->complex_form ? 2 : 1, others = e->n - values;
+    buffer_print(z, "form %s\npivot %d\n", e->complex_form ? "complex" : "real", e->pivot + 1);
     write_integers(z, "eigenvalue", e->approximation + others, values);
     write_integers(z, "eigenvector", e->approximation, others);
     write_integers(z, "radius", &e->radius, 1);
     for (int i = 0; i < e->n; i++)
         write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
-    if (e->complex)
+    if (e->complex_form)
         write_integers(z, "modulus", &c->modulus, 1);
 }
 
@@ -206,7 +206,7 @@ static void read_eigenpair(reader *r, choices *c)
         r->failed = true;
     if (!r->failed && !eigenpair_choice_make(e, n, c->grid))
         r->no_memory = r->failed = true;
-    e->complex = complex_form;
+    e->complex_form = complex_form;
     e->pivot = pivot - 1;
     expect(r, "eigenvector");
     for (int i = 0; !r->failed && i < n - values; i++)

@@ -9,7 +9,7 @@ outcome analysis_make_block(block *b, analysis *a, long first, long last)
 {
     findings *f = a->findings;
     diagnostic d;
-    bool real = !a->choices->eigenpair.complex;
+    bool real = !a->choices->eigenpair.complex_form;
     frequencies m = {first, last};
     switch (block_make_range(b, &a->numbers, m, real, &d)) {
     case BLOCK_OK:
@@ -108,21 +108,21 @@ static outcome bound_complex(analysis *a)
 outcome test_eigenpair(analysis *a)
 {
     choices *c = a->choices;
-    bool complex_form = a->replay ? c->eigenpair.complex : !a->plan->problem->scheme->mirror_symmetric;
+    bool complex_form = a->replay ? c->eigenpair.complex_form : !a->plan->problem->scheme->mirror_symmetric;
     truth found = TRUTH_TRUE;
     outcome o;
     if (!complex_form && !a->plan->problem->scheme->mirror_symmetric)
         return findings_explain(a->findings, OUTCOME_FALSE, "the real form, but the scheme is not evidently mirror-symmetric");
-    c->eigenpair.complex = complex_form;
+    c->eigenpair.complex_form = complex_form;
     o = analysis_make_block(&a->dominant, a, 1, 1);
     if (o != OUTCOME_TRUE)
         return o;
     a->matrix = block_real_matrix(&a->order, &a->dominant);
-    a->box = number_array_new((size_t)a->order + 2);
+    a->box = number_array_new(eigenpair_box_size(a->order, complex_form));
     if (!a->box || !a->matrix)
         return OUTCOME_NO_MEMORY;
     if (!a->replay)
-        found = eigenpair_choose(&c->eigenpair, a->matrix, a->order, c->grid, a->prec);
+        found = eigenpair_choose(&c->eigenpair, a->matrix, a->order, complex_form, c->grid, a->prec);
     else if (c->eigenpair.n != a->order)
         return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", a->order);
     if (found == TRUTH_TRUE)

@@ -95,10 +95,12 @@ static outcome prove_blocks(analysis *a, block_choice *c, bool *diverges)
     if (c->last == 0)
         pivots = 1;
     else if (of_dominant)
-        pivots = a->choices->eigenpair.complex ? 2 : 1;
+        pivots = a->choices->eigenpair.complex_form ? 2 : 1;
     if (o == OUTCOME_TRUE && matrix && pivots) {
         rest = number_array_new((size_t)(n - pivots) * (size_t)(n - pivots));
-        if (rest && of_dominant)
+        if (rest && pivots == 2)
+            matrix_deflate_complex(rest, matrix, a->box, n, a->choices->eigenpair.pivot, a->prec);
+        else if (rest && of_dominant)
             matrix_deflate(rest, matrix, a->box, n, a->choices->eigenpair.pivot, a->prec);
         else if (rest)
             matrix_deflate(rest, matrix, NULL, n, 0, a->prec);
