@@ -52,21 +52,21 @@ static outcome bound_real(analysis *a)
     return o;
 }
 
-/* A little less than the root of `square`, on the grid of certificates. */
+/* Less than the root of `square` by so much that rounding differently makes no difference, on the grid of
+   certificates. */
 static bool choose_modulus(integer *modulus, const number *square, long g, long prec)
 {
     bool ok;
-    integer t;
-    number lower;
-    integer_init(&t);
+    number lower, slack;
     number_init(&lower);
+    number_init(&slack);
     number_lower(&lower, square, prec);
     number_sqrt(&lower, &lower, prec);
+    number_mul_2exp(&slack, &lower, 8 - prec, prec);
+    number_sub(&lower, &lower, &slack, prec);
     ok = number_lower_grid(modulus, &lower, g);
-    integer_set_si(&t, 4);
-    ok = ok && integer_sub(modulus, modulus, &t);
     number_clear(&lower);
-    integer_clear(&t);
+    number_clear(&slack);
     return ok;
 }
 

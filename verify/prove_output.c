@@ -44,7 +44,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
     char system[64];
     if (d->verdict == VERDICT_PROVED) {
         printf("proved: %s is C1 at valence %ld; ", name, d->valence);
-        describe_system(system, sizeof system, d->plainly_regular ? "exact" : d->system, d->precision);
+        describe_system(system, sizeof system, d->plainly_regular || d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
         else if (d->plainly_regular)
