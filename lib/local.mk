@@ -21,7 +21,8 @@ LIB_SOURCES = \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
-  lib/eigenpair_choice.h lib/eigenpair_choice.c
+  lib/eigenpair_choice.h lib/eigenpair_choice.c \
+  lib/cover_list.h lib/cover_list.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
@@ -31,6 +32,7 @@ LIB_GENERIC_SOURCES = \
   lib/step.h lib/step.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
+  lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
