@@ -207,6 +207,33 @@ bool formula_exact_range(exact_range *z, bool *known, const formula *f, const fo
     }
 }
 
+bool formula_is_constant(bool *constant, const formula *f, const formula_point *at, frequencies m)
+{
+    *constant = true;
+    if (!(f->depends & FORMULA_ON_FREQUENCY) || m.first == m.last)
+        return true;
+    if (f->kind == FORMULA_REFERENCE)
+        return formula_is_constant(constant, f->definition, at, m);
+    if (f->kind != FORMULA_CASES) {
+        *constant = f->children > 0;
+        for (int i = 0; *constant && i < f->children; i++)
+            if (!formula_is_constant(constant, f->child[i], at, m))
+                return false;
+        return true;
+    }
+    for (int i = 0; i < f->children; i += 2) {
+        truth t = TRUTH_TRUE;
+        if (f->child[i] && !formula_condition_range(&t, f->child[i], at, m))
+            return false;
+        if (t == TRUTH_TRUE)
+            return formula_is_constant(constant, f->child[i + 1], at, m);
+        if (t == TRUTH_UNKNOWN)
+            break;
+    }
+    *constant = false;
+    return true;
+}
+
 /* Every sign that x - y may have must give the same answer. */
 static truth compare(char op, const exact_range *x, const exact_range *y)
 {

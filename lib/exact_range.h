@@ -29,6 +29,9 @@ void exact_range_clear(exact_range *z);
    false: no memory. */
 BIGFLOAT_MUST_USE bool formula_exact_range(exact_range *z, bool *known, const formula *f, const formula_point *at, frequencies m);
 
+/* Has f the same value, or none, at all m of the range?  *constant false: perhaps not. */
+BIGFLOAT_MUST_USE bool formula_is_constant(bool *constant, const formula *f, const formula_point *at, frequencies m);
+
 /* Does the condition hold for all m of the range (TRUTH_TRUE), for none (TRUTH_FALSE), as far as exact values tell? */
 BIGFLOAT_MUST_USE bool formula_condition_range(truth *t, const formula *f, const formula_point *at, frequencies m);
 

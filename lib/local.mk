@@ -22,7 +22,9 @@ LIB_SOURCES = \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
-  lib/eigenpair_choice.h lib/eigenpair_choice.c
+  lib/eigenpair_choice.h lib/eigenpair_choice.c \
+  lib/cover_list.h lib/cover_list.c \
+  lib/monotone_list.h lib/monotone_list.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
@@ -32,10 +34,21 @@ LIB_GENERIC_SOURCES = \
   lib/step.h lib/step.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
+  lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
+  lib/eigenpair_slope.h lib/eigenpair_slope.c \
+  lib/monotone.h lib/monotone.c \
   lib/charnet.h lib/charnet.c
+
+# Compiled for jets of every kind of number, too.
+LIB_JET_SOURCES = \
+  lib/formula_range.h \
+  lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
+  lib/block.h lib/block.c \
+  lib/block_slope.h lib/block_slope.c
 
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
@@ -56,6 +69,7 @@ CATALOGUE = \
   lib/catalogue/kobbelt.scheme
 
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
+JET_SOURCES += $(LIB_JET_SOURCES)
 
 noinst_LIBRARIES += libscheme.a
 libscheme_a_SOURCES = $(LIB_SOURCES)

@@ -75,6 +75,8 @@ GENERIC_TESTS = \
   tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \
+  tests/lib/t-cover \
+  tests/lib/t-monotone \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
