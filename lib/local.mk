@@ -11,6 +11,7 @@ LIB_SOURCES = \
   lib/power.h lib/power.c \
   lib/regular.h lib/regular.c \
   lib/comparison.h lib/comparison.c \
+  lib/decomposition.h lib/decomposition.c \
   lib/stability.h lib/stability.c \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \

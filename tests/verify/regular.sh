@@ -60,6 +60,10 @@ C1 on the regular complex: proved by |S_2a12^1| < 1, |S_2a13^1| < 1
 
 values C = 1/2 = 0.5 K = 1: no weight is negative
 derivatives C1 = C2 = 1/2 = 0.5 K1, K2 = 1: no weight is negative
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 7/8 = 0.875, C1 = C2 = 3/2 = 1.5
+as proved C = 3/4 = 0.75, C1 = C2 = 1
 EOF
 
 prints butterfly butterfly.scheme --all --max-power 5 <<EOF
@@ -76,6 +80,10 @@ C1 on the regular complex: proved by |S_2a12^2| < 1, |S_2a13^2| < 1
 
 values C = 1/2 = 0.5 K <= 777/512 < 1.5176 by windows of S^6
 derivatives C1 = C2 = 3/4 = 0.75 K1, K2 <= 2149/1024 < 2.0987 by windows of S_2a1^7
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 3/4 = 0.75, C1 = C2 = 5/4 = 1.25
+as proved C = 1/2 = 0.5, C1 = C2 = 1
 EOF
 
 prints json butterfly.scheme --json --set w=0 --max-power 2 <<EOF
@@ -89,6 +97,9 @@ prints json butterfly.scheme --json --set w=0 --max-power 2 <<EOF
     {"power": 2, "a1": "1/4", "2a12": "1", "2a13": "1"}
   ],
   "comparison": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_thesis": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_decomposition": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_thesis_is_bound": true,
   "stability": {
     "K": {"method": "none"},
     "K1": {"method": "none"},
@@ -108,6 +119,10 @@ C1 on the regular complex: undecided; no power up to 1 has norms below 1
 
 values C = 0 no bound of K
 derivatives C1 = C2 = 0 no bound of K1, K2
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 0, C1 = C2 = 0
+as proved C = 0, C1 = C2 = 0
 EOF
 
 prints uneven uneven.scheme <<EOF
