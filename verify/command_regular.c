@@ -5,6 +5,7 @@
 #include "command_scheme.h"
 
 #include "../lib/decomposition.h"
+#include "../lib/regular_refutation.h"
 #include "../lib/stability.h"
 
 #include <getopt.h>
@@ -28,7 +29,9 @@ static const char help[] =
     "a_d is the mask divided by 1 + z^-d for the directions e1 = (1,0), e2 = (0,1), e3 = (1,-1),\n"
     "and S_a^N is N steps with the mask a. The scheme is C1 on the regular complex if a power of\n"
     "each of S_2a12, S_2a13, S_2a23 (on quads S_2a11, S_2a12, S_2a22) has a norm below 1; the last\n"
-    "is left out where the mask is equal to its mirror image. Nothing follows if there is none.\n"
+    "is left out where the mask is equal to its mirror image. It is not C1, on the other hand, if\n"
+    "values at 2^-N x fall more slowly than those of C1 functions can, which is decided exactly from\n"
+    "the eigenvalues that they follow. If neither holds it is undecided.\n"
     "C, C1, C2: one step of the scheme (of its derivatives 1, 2) differs from a step of linear or\n"
     "constant interpolation by at most C times the largest difference of neighbours.\n"
     "On triangles these constants follow as in Zorin's thesis, too, by decomposing the mask: as they\n"
@@ -60,6 +63,7 @@ typedef struct {
     int column_count;
     int power;             /* rows of the table */
     bool proved;
+    regular_refutation refutation; /* unless proved */
     comparison comparison;
     decomposition thesis; /* on triangles */
     stability stability[3]; /* of values and both derivatives */
@@ -182,7 +186,9 @@ static bool analyse(regular_run *r)
 {
     if (!regular_derive(&r->masks, &r->scheme.mask, r->scheme.mesh))
         return false;
-    return !r->masks.divisible || (find_norms(r) && find_constants(r) && find_bounds(r));
+    if (r->masks.divisible && !(find_norms(r) && find_constants(r) && find_bounds(r)))
+        return false;
+    return r->proved || regular_refute(&r->refutation, &r->scheme.mask, r->scheme.mesh);
 }
 
 /* ---- text ---- */
@@ -277,9 +283,25 @@ static long count_points(const laurent *mask)
     return count;
 }
 
+static void print_refutation(const regular_refutation *z)
+{
+    if (z->point.a == 0) {
+        printf("no; a net that is not constant round a vertex does not change there,\n"
+               "so that subdivision does not converge\n");
+        return;
+    }
+    printf("no; besides those of constant and linear functions there is an\n"
+           "eigenvalue of modulus >= %.10g (frequency %d), and its eigenfunction is not 0\n",
+           (double)z->modulus / REFUTATION_UNIT, z->frequency);
+}
+
 static void print_verdict(const regular_run *r)
 {
     printf("\nC1 on the regular complex: ");
+    if (r->refutation.refuted) {
+        print_refutation(&r->refutation);
+        return;
+    }
     if (!r->proved) {
         printf("undecided; no power up to %d has norms below 1\n", r->power);
         return;
@@ -376,6 +398,11 @@ static bool print_text(const regular_run *r)
 {
     printf("%s: %s, %ld mask points%s\n\n", r->scheme.name, mesh_in_words(r->scheme.mesh), count_points(&r->scheme.mask),
            r->masks.symmetric ? ", equal to its mirror image" : ", not equal to its mirror image");
+    if (!r->masks.divisible && r->refutation.refuted) {
+        printf("The mask is not divisible by 1 + z^-d in the directions needed, and there are no norms.\n");
+        print_verdict(r);
+        return true;
+    }
     if (!r->masks.divisible) {
         printf("C1 on the regular complex: undecided; the mask is not divisible by 1 + z^-d in the directions\n"
                "needed, and the criterion by norms is silent\n");
@@ -463,7 +490,10 @@ static bool print_json(const regular_run *r)
         print_json_stability("K2", &r->stability[2], "");
         printf("  },\n");
     }
-    printf("  \"c1_on_regular_complex\": \"%s\"\n}\n", r->proved ? "proved" : "undecided");
+    if (r->refutation.refuted)
+        printf("  \"refutation\": {\"modulus_at_least\": %.10g, \"frequency\": %d, \"seen_at\": [%d, %d]},\n",
+               (double)r->refutation.modulus / REFUTATION_UNIT, r->refutation.frequency, r->refutation.point.a, r->refutation.point.b);
+    printf("  \"c1_on_regular_complex\": \"%s\"\n}\n", r->proved ? "proved" : r->refutation.refuted ? "refuted" : "undecided");
     return true;
 }
 
@@ -477,6 +507,7 @@ static void regular_run_init(regular_run *r)
         norm_list_init(&r->columns[i].norms);
     r->column_count = r->power = 0;
     r->proved = false;
+    r->refutation.refuted = false;
     comparison_init(&r->comparison);
     decomposition_init(&r->thesis);
     for (int i = 0; i < 3; i++)

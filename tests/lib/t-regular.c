@@ -2,6 +2,7 @@
    nets that are subdivided here. */
 #include "lib/decomposition.h"
 #include "lib/power.h"
+#include "lib/regular_refutation.h"
 #include "lib/stability.h"
 
 #include "tests/bigfloat/random.h"
@@ -790,6 +791,90 @@ static void test_four_point(void)
     test_end();
 }
 
+/* ---- masks that are not C1 ---- */
+
+static void check_refutation(const laurent *mask, mesh_kind mesh, bool refuted, int64_t modulus, const char *name)
+{
+    regular_refutation z;
+    MUST(regular_refute(&z, mask, mesh));
+    CHECK(z.refuted == refuted, "%s: refuted %d", name, z.refuted);
+    CHECK(!z.refuted || modulus < 0 || z.modulus == modulus, "%s: modulus %.9g", name, (double)z.modulus / REFUTATION_UNIT);
+}
+
+/* Butterfly has the eigenvalue 4w of frequency 0; interpolation has 1/2 there, whose functions have creases. */
+static void test_golden_refutations(void)
+{
+    laurent mask;
+    mesh_kind mesh;
+    test_begin("masks that are not C1");
+    laurent_init(&mask);
+    for (int q = 2; q <= 32; q++) {
+        set_butterfly(&mask, 1, q);
+        check_refutation(&mask, MESH_TRIANGLE, q <= 8, q < 4 ? -1 : 4 * REFUTATION_UNIT / q, "butterfly");
+    }
+    set_butterfly(&mask, -1, 100);
+    check_refutation(&mask, MESH_TRIANGLE, true, -1, "butterfly with a negative tension");
+    set_butterfly(&mask, 127, 1024);
+    check_refutation(&mask, MESH_TRIANGLE, false, -1, "butterfly, barely");
+    set_butterfly(&mask, 129, 1024);
+    check_refutation(&mask, MESH_TRIANGLE, true, 516, "butterfly, barely not");
+    MUST(comparison_values(&mask, MESH_TRIANGLE));
+    check_refutation(&mask, MESH_TRIANGLE, true, REFUTATION_UNIT / 2, "linear");
+    set_loop(&mask);
+    check_refutation(&mask, MESH_TRIANGLE, false, -1, "loop");
+    for (int degree = 1; degree <= 7; degree++) {
+        set_midpoint(&mask, &mesh, degree);
+        check_refutation(&mask, mesh, degree == 1, REFUTATION_UNIT / 2, "midpoint");
+    }
+    set_four_point(&mask, 1, 16);
+    check_refutation(&mask, MESH_QUAD, false, -1, "four-point");
+    set_four_point(&mask, 1, 4);
+    check_refutation(&mask, MESH_QUAD, true, -1, "four-point with too much tension");
+    laurent_clear(&mask);
+    test_end();
+}
+
+/* z = (1 - t) x + t y, t = p / q. */
+static void set_mixture(laurent *z, const laurent *x, const laurent *y, int p, int q)
+{
+    laurent scaled, other;
+    laurent_init(&scaled), laurent_init(&other);
+    MUST(laurent_mul_si(&scaled, x, q - p) && laurent_mul_si(&other, y, -p) && laurent_sub(z, &scaled, &other));
+    MUST(integer_mul_si(&z->denominator, &z->denominator, q));
+    laurent_clear(&scaled), laurent_clear(&other);
+}
+
+/* What norms prove is never refuted, and the two leave little between them. */
+static void test_proof_and_refutation(void)
+{
+    int proofs = 0, refutations = 0;
+    test_begin("what is proved C1 is not refuted");
+    for (test_cases(120); test_next();) {
+        mesh_kind mesh = (mesh_kind)random_below(3);
+        laurent mask, x, y;
+        regular_refutation z;
+        bool divisible;
+        int pairs;
+        laurent_init(&mask), laurent_init(&x), laurent_init(&y);
+        if (mesh == MESH_TRIANGLE)
+            set_random_product(&mask, 1);
+        else {
+            int degree = (int)random_range(1, 2);
+            set_midpoint(&x, &mesh, degree);
+            set_midpoint(&y, &mesh, degree + 2);
+            set_mixture(&mask, &x, &y, (int)random_range(-12, 24), 8);
+        }
+        pairs = proved_pairs(&divisible, &mask, mesh);
+        MUST(regular_refute(&z, &mask, mesh));
+        CHECK(!z.refuted || pairs != 7, "both: frequency %d, modulus %.9g", z.frequency, (double)z.modulus / REFUTATION_UNIT);
+        proofs += pairs == 7;
+        refutations += z.refuted;
+        laurent_clear(&mask), laurent_clear(&x), laurent_clear(&y);
+    }
+    CHECK(test_case_number() < 100 || (proofs >= 20 && refutations >= 20), "%d proofs, %d refutations", proofs, refutations);
+    test_end();
+}
+
 /* ---- no mask can ask for unbounded work ---- */
 
 static void test_large_masks(void)
@@ -805,6 +890,8 @@ static void test_large_masks(void)
             integer_set_si(&s.coefficient[i], (int64_t)(random_word() >> (digits ? 2 : 60)) + 1);
         MUST(norm_list_make(&norms, &s, REGULAR_MAX_POWER, false));
         CHECK(norms.count >= 2 && norms.count <= REGULAR_MAX_POWER, "%d norms", norms.count);
+        regular_refutation z;
+        MUST(regular_refute(&z, &s, MESH_QUAD));
     }
     norm_list_clear(&norms);
     laurent_clear(&s);
@@ -827,6 +914,8 @@ int main(void)
     test_constants_hold();
     test_stability();
     test_four_point();
+    test_golden_refutations();
+    test_proof_and_refutation();
     test_large_masks();
     return test_status();
 }
