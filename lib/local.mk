@@ -12,7 +12,9 @@ LIB_SOURCES = \
   lib/power.h lib/power.c \
   lib/regular.h lib/regular.c \
   lib/comparison.h lib/comparison.c \
+  lib/decomposition.h lib/decomposition.c \
   lib/stability.h lib/stability.c \
+  lib/regular_refutation.h lib/regular_refutation.c \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
@@ -82,5 +84,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp
