@@ -159,7 +159,7 @@ static void dot_one_by_one(ball *z, const ball *x, long xs, const ball *y, long 
    highest exponent loses its lowest n - 1 limbs and some bits: most of what they are made of is not even formed.
    Errors are words at one scale above each term's exponent.  See errors.md, "Dot products". */
 
-#define EVEN_LIMBS 32                    /* longer mantissas go the general way */
+#define EVEN_LIMBS 64                    /* longer mantissas go the general way */
 #define EVEN_TERMS ((size_t)1 << 12)
 #define EVEN_LEAST_TOP ((limb_t)1 << 48) /* of the highest limbs */
 

@@ -354,8 +354,8 @@ static void test_full_lengths(void)
 {
     test_begin("ball-full-lengths");
     for (test_cases(20000); test_next();) {
-        size_t n = (size_t)random_range(1, 8);
-        uint64_t limb[8];
+        size_t n = (size_t)random_range(1, 10);
+        uint64_t limb[10];
         ball x[2], z;
         rational p, q;
         ball_init(&z);
@@ -369,7 +369,7 @@ static void test_full_lengths(void)
             limb[n - 1] |= random_below(4) ? (uint64_t)1 << 63 : 1;
             MUST(integer_set_limbs(&m, limb, n, random_below(4) ? sign : !sign));
             ball_set_parts(&x[i], &m, random_below(3) ? random_below(4) : ((uint64_t)1 << BALL_ERROR_BITS) - 1 - random_below(4),
-                           random_below(3) ? 0 : random_range(-66, 66));
+                           random_below(3) ? 0 : random_below(4) ? random_range(-66, 66) : random_range(-330, 330));
             integer_clear(&m);
         }
         random_point_ball(&p, &x[0]), random_point_ball(&q, &x[1]);
