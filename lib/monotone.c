@@ -48,7 +48,7 @@ static truth prove_matrix(monotone_box *choice, double *upper, const block_slope
     if (t == TRUTH_TRUE && replay)
         t = choice->eigenpair.n == n ? TRUTH_TRUE : TRUTH_UNKNOWN;
     else if (t == TRUTH_TRUE)
-        t = eigenpair_choose(&choice->eigenpair, b->entry, n, prec, prec);
+        t = eigenpair_choose(&choice->eigenpair, b->entry, n, false, prec, prec);
     if (t == TRUTH_TRUE)
         t = eigenpair_prove(box, &choice->eigenpair, b->entry, prec);
     if (t == TRUTH_TRUE && number_is_positive(&box[n]) != TRUTH_TRUE)

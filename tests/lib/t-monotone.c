@@ -148,7 +148,7 @@ static bool make_pair(pair *z, const scheme *s, double a, double b)
         z->n = blocks.n;
         z->box = number_array_new((size_t)z->n + 1);
         z->slope = number_array_new((size_t)z->n + 1);
-        ok = eigenpair_choose(&z->choice, blocks.entry, blocks.n, PRECISION, PRECISION) == TRUTH_TRUE && eigenpair_prove(z->box, &z->choice, blocks.entry, PRECISION) == TRUTH_TRUE
+        ok = eigenpair_choose(&z->choice, blocks.entry, blocks.n, false, PRECISION, PRECISION) == TRUTH_TRUE && eigenpair_prove(z->box, &z->choice, blocks.entry, PRECISION) == TRUTH_TRUE
              && eigenpair_slope(z->slope, z->box, &z->choice, blocks.entry, blocks.slope, PRECISION) == TRUTH_TRUE;
         CHECK(ok, "%s, u from %.3g to %.3g: no pair", s->name, a, b);
     }
