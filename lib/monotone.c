@@ -24,7 +24,7 @@ static truth prove_rest(int *power, const number *box, const block_slope *b, int
     size_t size = (size_t)(n - 1) * (size_t)(n - 1);
     number *rest = number_array_new(size);
     number scale;
-    spectral_answer answer = {TRUTH_FALSE, 0, false};
+    spectral_answer answer = {TRUTH_FALSE, 0, false, INFINITY};
     number_init(&scale);
     if (rest) {
         matrix_deflate(rest, b->entry, box, n, pivot, prec);

@@ -5,6 +5,7 @@
 #ifndef VERIFY_CHOICES_H
 #define VERIFY_CHOICES_H
 
+#include "../lib/cover_list.h"
 #include "../lib/eigenpair_choice.h"
 #include "tree.h"
 
@@ -21,12 +22,6 @@
 #define CHOICES_MAX_BLOCKS 10000
 #define CHOICES_MAX_TOTAL_POWER 200000
 
-/* The blocks of the frequencies first..last, and how often their enclosure is squared. */
-typedef struct {
-    long first, last;
-    int power;
-} block_choice;
-
 /* K <= bound / 1024, by the windows of the power's mask; power 0: no weight is negative (lib/stability.h). */
 typedef struct {
     int power;
@@ -41,8 +36,7 @@ typedef struct {
     stability_choice stability[3]; /* of values and both differences */
     eigenpair_choice eigenpair;
     integer modulus;      /* ell < |L|, in the complex form */
-    block_choice *blocks;
-    int block_count, block_capacity;
+    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers */
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;
@@ -50,6 +44,5 @@ typedef struct {
 
 void choices_init(choices *z);
 void choices_clear(choices *z);
-bool choices_add_block(choices *z, block_choice b); /* false: no memory */
 
 #endif

@@ -5,26 +5,6 @@
 
 #include <stdlib.h>
 
-outcome analysis_make_block(block *b, analysis *a, long first, long last)
-{
-    findings *f = a->findings;
-    diagnostic d;
-    bool real = !a->choices->eigenpair.complex_form;
-    frequencies m = {first, last};
-    switch (block_make_range(b, &a->numbers, m, real, &d)) {
-    case BLOCK_OK:
-        return OUTCOME_TRUE;
-    case BLOCK_OPPOSITE:
-        return findings_explain(f, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
-    case BLOCK_NO_CENTRE_RULE:
-        return findings_explain(f, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
-    case BLOCK_BAD_INPUT:
-        return findings_explain(f, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
-    default:
-        return OUTCOME_NO_MEMORY;
-    }
-}
-
 /* scale = the least number of the system that is at least 1/x. */
 static void invert_upwards(number *scale, const number *x, long prec)
 {
