@@ -251,7 +251,7 @@ static void check_limit(const setting *s)
             MUST(rational_set_si(&value[i], i == y, 1));
         for (int c = 1; c < 4; c++)
             for (int d = 1; d < 4 - (s->mesh == MESH_TRIANGLE ? c : 0); d++) {
-                int p = (4 * -w->point[y].a + c) << (LEVELS - 2), q = (4 * -w->point[y].b + d) << (LEVELS - 2);
+                int p = (4 * -w->point[y].a + c) * (1 << (LEVELS - 2)), q = (4 * -w->point[y].b + d) * (1 << (LEVELS - 2));
                 MUST(rational_set_si(&u, c, 4) && rational_set_si(&v, d, 4));
                 evaluate(&z, s, type_of(s, 0), value, &u, &v);
                 worst = fmax(worst, fabs(rational_get_double_approx(&z) - old_values[p + HALF][q + HALF]));
