@@ -20,6 +20,7 @@ LIB_SOURCES = \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
+  lib/bernstein.h lib/bernstein.c \
   lib/influence.h lib/influence.c \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
