@@ -72,6 +72,8 @@ static status read_body(scheme_reader *r)
     s = read_mask(r);
     for (reader_next_line(r); s == STATUS_OK && reader_take_word(r, "rule"); reader_next_line(r))
         s = read_rule(r);
+    if (s == STATUS_OK && r->z->mirror_symmetric) /* the mask is */
+        s = find_symmetry(&r->z->mirror_symmetric, &r->z->steps[0], r->z->mesh);
     return s;
 }
 
