@@ -193,7 +193,7 @@ FIXED_INLINE bool even_prepare(even_frame *f, const ball *x, long xs, const ball
         highest = e > highest ? e : highest;
         highest_inexact = u > highest_inexact ? u : highest_inexact;
     }
-    /* Exact operands go the general way, where a result that is exact and fits stays exact. */
+    /* Exact operands go other ways, where a result that is exact and fits stays exact. */
     if (highest == INT64_MIN || errors == 0 || least < EVEN_LEAST_TOP)
         return false;
     int guard = limb_bits(N) + 1, down = guard - (BALL_ERROR_BITS - limb_bits(errors));
@@ -395,28 +395,91 @@ static bool long_dot(ball *z, const ball *x, long xs, const ball *y, long ys, si
     return true;
 }
 
-FIXED_INLINE bool dot_any_length(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
+/* ---- the same, n <= 4, all exact: every digit of the sum is kept, so that what fits stays exact ---- */
+
+/* In units of 2^lowest a product is below 2^(128 n + 62), the sum of fewer than 2^12 below 2^(64 (2 n + 2) - 54). */
+FIXED_INLINE bool exact_dot(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, const int n)
 {
-    switch (n) {
-    case 1: return fixed_dot(z, x, xs, y, ys, N, prec, 1);
-    case 2: return fixed_dot(z, x, xs, y, ys, N, prec, 2);
-    case 3: return fixed_dot(z, x, xs, y, ys, N, prec, 3);
-    case 4: return fixed_dot(z, x, xs, y, ys, N, prec, 4);
-    case 8: return fixed_dot(z, x, xs, y, ys, N, prec, 8);
-    default: return long_dot(z, x, xs, y, ys, N, prec, n);
+    int64_t highest = INT64_MIN, lowest = INT64_MAX;
+    for (size_t i = 0; i < N; i++) {
+        const ball *u = x + (long)i * xs, *v = y + (long)i * ys;
+        int64_t e = u->exponent + v->exponent;
+        if (!has_length(u, n) || !has_length(v, n)) {
+            if (!is_exact_zero_term(u, v))
+                return false;
+            continue;
+        }
+        if (u->error | v->error)
+            return false;
+        highest = e > highest ? e : highest;
+        lowest = e < lowest ? e : lowest;
     }
+    if (highest == INT64_MIN || highest - lowest > 62)
+        return false;
+    limb_t acc[2 * 4 + 2] = {0}, negatives = 0;
+    for (size_t i = 0; i < N; i++, x += xs, y += ys) {
+        if (FIXED_UNLIKELY(!x->size || !y->size))
+            continue;
+        limb_t w[2 * 4 + 2], negative = (limb_t)((uint32_t)(x->size ^ y->size) >> 31), mask = 0 - negative, carry = 0;
+        unsigned r = (unsigned)(x->exponent + y->exponent - lowest);
+        fixed_multiply(w, ball_limbs(x), ball_limbs(y), n);
+        w[2 * n] = 0;
+        negatives += negative; /* the complement is one less than the opposite */
+#pragma GCC unroll 10
+        for (int k = 0; k <= 2 * n; k++)
+            acc[k] = limb_add(acc[k], (w[k] << r | (k ? (w[k ? k - 1 : 0] >> 1) >> (63 - r) : 0)) ^ mask, &carry);
+        acc[2 * n + 1] += mask + carry;
+    }
+    limb_add_1(acc, acc, 2 * (size_t)n + 2, negatives);
+    bool minus = acc[2 * n + 1] >> 63;
+    if (minus) {
+        for (int k = 0; k < 2 * n + 2; k++)
+            acc[k] = ~acc[k];
+        limb_add_1(acc, acc, 2 * (size_t)n + 2, 1);
+    }
+    ball_store(z, acc, 2 * (size_t)n + 2, minus, 0, 0, lowest, prec);
+    return true;
 }
 
+/* One function for each length, so that each has registers enough. */
+#define DOT_LENGTH(name, f, n)                                                                                         \
+    static FIXED_NOINLINE bool name(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec)      \
+    {                                                                                                                  \
+        return f(z, x, xs, y, ys, N, prec, n);                                                                         \
+    }
+DOT_LENGTH(fixed_dot_1, fixed_dot, 1)
+DOT_LENGTH(fixed_dot_2, fixed_dot, 2)
+DOT_LENGTH(fixed_dot_3, fixed_dot, 3)
+DOT_LENGTH(fixed_dot_4, fixed_dot, 4)
+DOT_LENGTH(fixed_dot_8, fixed_dot, 8)
+DOT_LENGTH(exact_dot_1, exact_dot, 1)
+DOT_LENGTH(exact_dot_2, exact_dot, 2)
+DOT_LENGTH(exact_dot_3, exact_dot, 3)
+DOT_LENGTH(exact_dot_4, exact_dot, 4)
 #if LIMB_HAVE_ADX
-FIXED_BMI2 static bool dot_even_bmi2(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
-{
-    return dot_any_length(z, x, xs, y, ys, N, prec, n);
-}
+FIXED_BMI2 DOT_LENGTH(fixed_dot_1_bmi2, fixed_dot, 1)
+FIXED_BMI2 DOT_LENGTH(fixed_dot_2_bmi2, fixed_dot, 2)
+FIXED_BMI2 DOT_LENGTH(fixed_dot_3_bmi2, fixed_dot, 3)
+FIXED_BMI2 DOT_LENGTH(fixed_dot_4_bmi2, fixed_dot, 4)
+FIXED_BMI2 DOT_LENGTH(fixed_dot_8_bmi2, fixed_dot, 8)
+FIXED_BMI2 DOT_LENGTH(exact_dot_1_bmi2, exact_dot, 1)
+FIXED_BMI2 DOT_LENGTH(exact_dot_2_bmi2, exact_dot, 2)
+FIXED_BMI2 DOT_LENGTH(exact_dot_3_bmi2, exact_dot, 3)
+FIXED_BMI2 DOT_LENGTH(exact_dot_4_bmi2, exact_dot, 4)
 #endif
 
+/* If both answer false it is neither case. */
 static bool dot_even(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec, int n)
 {
-    return dot_any_length(z, x, xs, y, ys, N, prec, n);
+    bool exact = (x->error | y->error) == 0; /* what the first term is, most are */
+    switch (n) {
+    case 1: return (exact ? FIXED_BEST(exact_dot_1) : FIXED_BEST(fixed_dot_1))(z, x, xs, y, ys, N, prec);
+    case 2: return (exact ? FIXED_BEST(exact_dot_2) : FIXED_BEST(fixed_dot_2))(z, x, xs, y, ys, N, prec);
+    case 3: return (exact ? FIXED_BEST(exact_dot_3) : FIXED_BEST(fixed_dot_3))(z, x, xs, y, ys, N, prec);
+    case 4: return (exact ? FIXED_BEST(exact_dot_4) : FIXED_BEST(fixed_dot_4))(z, x, xs, y, ys, N, prec);
+    case 8: return FIXED_BEST(fixed_dot_8)(z, x, xs, y, ys, N, prec);
+    default: return long_dot(z, x, xs, y, ys, N, prec, n);
+    }
 }
 
 static bool all_exact(const ball *x, long xs, const ball *y, long ys, size_t n)
@@ -432,7 +495,7 @@ void ball_dot_strided(ball *z, const ball *x, long xs, const ball *y, long ys, s
     range r;
     accumulator s;
     int64_t room = ball_room_bits(prec);
-    if (n && n < EVEN_TERMS && room <= 64 * EVEN_LIMBS && FIXED_BEST(dot_even)(z, x, xs, y, ys, n, prec, (int)(room / 64)))
+    if (n && n < EVEN_TERMS && room <= 64 * EVEN_LIMBS && dot_even(z, x, xs, y, ys, n, prec, (int)(room / 64)))
         return;
     if (n == 0 || n >> 30 || room > 64 * (DOT_LIMBS - 2) || !find_range(&r, x, xs, y, ys, n)
         || !(r.any || r.any_error)) {
