@@ -25,6 +25,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/ball.c \
   bigfloat/ball_add.c \
   bigfloat/ball_mul.c \
+  bigfloat/ball_dot_even.c \
   bigfloat/ball_dot.c \
   bigfloat/ball_div.c \
   bigfloat/ball_compare.c \
