@@ -67,88 +67,88 @@ static void add_negligible(ball *z, const ball *x, bool negative, long prec)
     ball_scratch_free(&space);
 }
 
-/* ---- two long mantissas of one length: one pass, as fixed_add ---- */
+/* ---- two mantissas of one length n, the difference d of their exponents below 64 n: two passes ---- */
 
-/* p = a 2^up +- floor(b 2^-down), n limbs, the answer is the carry (1: no borrow, if subtract); down < 64 n. */
-static limb_t shift_and_add(limb_t *p, const limb_t *a, unsigned up, const limb_t *b, size_t down, bool subtract, size_t n)
+/* w = 2^64 a + v or - v, v = floor(b 2^(64 - d)), n + 2 limbs; the answer: has it become its opposite? */
+FIXED_INLINE bool shift_and_add(limb_t *w, const limb_t *a, const limb_t *b, size_t d, bool subtract, size_t n)
 {
-    limb_t mask = 0 - (limb_t)subtract, carry = subtract, below = 0;
-    size_t whole = down / 64, i = 0;
-    unsigned r = down % 64;
-    for (; i + whole + 1 < n; i++) {
-        limb_t u = a[i] << up | (below >> 1) >> (63 - up), v = b[i + whole] >> r | (b[i + whole + 1] << 1) << (63 - r);
-        below = a[i];
-        p[i] = limb_add(u, v ^ mask, &carry);
+    limb_t mask = 0 - (limb_t)subtract, carry = subtract;
+    size_t whole = d / 64, i = 1;
+    unsigned r = d % 64;
+    limb_t low = b[whole];
+    w[0] = limb_add(((whole ? b[whole - 1] : 0) >> r | (low << 1) << (63 - r)) ^ mask, 0, &carry);
+#pragma GCC unroll 4
+    for (; i < n - whole; i++) {
+        limb_t high = b[whole + i];
+        w[i] = limb_add(a[i - 1], (low >> r | (high << 1) << (63 - r)) ^ mask, &carry);
+        low = high;
     }
-    for (; i < n; i++) {
-        limb_t u = a[i] << up | (below >> 1) >> (63 - up), v = i + whole < n ? b[i + whole] >> r : 0;
-        below = a[i];
-        p[i] = limb_add(u, v ^ mask, &carry);
-    }
-    return carry;
+    w[i] = limb_add(a[i - 1], low >> r ^ mask, &carry);
+    for (i++; i <= n; i++)
+        w[i] = limb_add(a[i - 1], mask, &carry);
+    w[n + 1] = mask + carry;
+    if (!FIXED_UNLIKELY(w[n + 1] >> 63))
+        return false;
+    for (i = 0; i <= n; i++)
+        w[i] = ~w[i];
+    w[n + 1] = limb_add_1(w, w, n + 1, 1);
+    return true;
 }
 
-static bool add_long(ball *z, const ball *x, const ball *y, bool flip, int64_t room)
+/* The sum in units of 2^-64 of x's, rounded once: errors.md, "Sums".  False, and z is as before: not a plain case. */
+FIXED_INLINE bool add_even(ball *z, const ball *x, const ball *y, bool flip, int64_t room)
 {
     size_t n = ball_length(x);
-    if (n != ball_length(y) || room != 64 * (int64_t)n || n > BALL_STACK_LIMBS)
+    if (n != ball_length(y) || n == 0 || n > BALL_STACK_LIMBS || room < 64 * (int64_t)n)
         return false;
-    bool x_negative = x->size < 0, y_negative = (y->size < 0) != flip;
-    if (x->exponent < y->exponent) {
+    bool swap = x->exponent < y->exponent;
+    if (swap) {
         const ball *t = x;
         x = y;
         y = t;
-        bool negative = x_negative;
-        x_negative = y_negative;
-        y_negative = negative;
     }
     int64_t d = x->exponent - y->exponent;
-    if (d >= room)
+    if (d >= 64 * (int64_t)n)
         return false;
-    int up = limb_clz(ball_limbs(x)[n - 1]), free_bits = BALL_ERROR_BITS - 1 - limb_bits(x->error);
-    up = up > d ? (int)d : up;
-    if (x->error && up > free_bits)
-        up = free_bits > 0 ? free_bits : 0;
-    size_t down = (size_t)(d - up);
-    limb_t p[BALL_STACK_LIMBS], lost = down ? !limb_low_bits_zero(ball_limbs(y), n, down) : 0;
-    bool subtract = x_negative != y_negative;
-    limb_t carry = shift_and_add(p, ball_limbs(x), (unsigned)up, ball_limbs(y), down, subtract, n);
-    if (subtract && carry == 0) { /* y was greater */
-        for (size_t i = 0; i < n; i++)
-            p[i] = ~p[i];
-        limb_add_1(p, p, n, 1);
-        x_negative = y_negative;
-    }
-    if (subtract)
-        carry = 0;
-    if (lost && !carry && p[n - 1] >> (x->error | y->error ? 61 : 63) == 0)
+    limb_t w[BALL_STACK_LIMBS + 2];
+    bool lost = d > 64 && !limb_low_bits_zero(ball_limbs(y), n, (size_t)d - 64);
+    bool negative = shift_and_add(w, ball_limbs(x), ball_limbs(y), (size_t)d, ((x->size ^ y->size) < 0) != flip, n)
+                    != ((x->size < 0) != (flip && swap));
+    /* s low bits go: those that have no room, and those below the units of y */
+    int64_t s = w[n + 1] ? 65 : limb_bits(w[n]);
+    if (s < 64 - d)
+        s = 64 - d;
+    if (s == 0 || (x->error && limb_bits(x->error) + 64 - s > BALL_ERROR_BITS))
+        return false; /* digits cancelled, or the error must go, too */
+    lost = lost || !limb_low_bits_zero(w, n + 2, (size_t)s);
+    /* ROUNDING: ceilings of both errors; less than one unit was cut off */
+    limb_t error = ball_error_at(s, x->error, 64) + ball_error_at(d + s - 64, y->error, 0) + lost;
+    if (error >> (BALL_ERROR_BITS - 1) || (room > 64 * (int64_t)n && s > 64 - d && error < 256))
         return false; /* as in fixed_add */
-    limb_t err = (x->error << up) + ball_error_at((int64_t)down, y->error, 0) + lost; /* ROUNDING: as in fixed_add */
-    int s = err >> BALL_ERROR_BITS ? limb_bits(err) - (BALL_ERROR_BITS - 1) : (int)carry;
-    if (s) {
-        limb_t mask = ((limb_t)1 << s) - 1;
-        err = (err >> s) + ((err & mask) != 0) + ((p[0] & mask) != 0); /* ROUNDING: ceiling, and the bits cut off */
-        limb_shift_right(p, p, n, (unsigned)s);
-        p[n - 1] |= carry << (64 - s);
-    }
-    int64_t e = x->exponent - up + s;
-    size_t size = limb_normal(p, n);
-    limb_t *to = ball_fresh(z, size);
-    if (!to) {
+    limb_t *p = ball_fresh(z, n);
+    if (!p) {
         ball_no_memory(z);
         return true;
     }
-    limb_copy(to, p, size);
-    z->size = x_negative ? -(int32_t)size : (int32_t)size;
-    z->error = err;
+    const limb_t *from = w + s / 64;
+    unsigned r = (unsigned)(s % 64);
+#pragma GCC unroll 4
+    for (size_t i = 0; i < n; i++)
+        p[i] = from[i] >> r | (from[i + 1] << 1) << (63 - r);
+    int64_t e = x->exponent - 64 + s;
+    int32_t size = (int32_t)limb_normal(p, n);
+    z->size = negative ? -size : size;
+    z->error = error;
     z->exponent = e;
     ball_settle_exponent(z);
     return true;
 }
 
+/* ---- all cases ---- */
+
 /* Let T be the larger top and e the lower exponent.  If T - e exceeds 64 (length x + length y) + room + 128, the
    operand with the lower exponent is below 2^(higher exponent - room - 64): errors.md, "Sums". */
-FIXED_NOINLINE static void add_signed(ball *z, const ball *x, const ball *y, bool flip, long prec)
+FIXED_INLINE void add_any(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
     bool y_negative = (y->size < 0) != flip;
     if (ball_is_special(x) || ball_is_special(y)) {
@@ -165,7 +165,7 @@ FIXED_NOINLINE static void add_signed(ball *z, const ball *x, const ball *y, boo
             z->size = -z->size;
         return;
     }
-    if (ball_length(x) > BALL_INLINE_LIMBS && add_long(z, x, y, flip, ball_room_bits(prec)))
+    if (add_even(z, x, y, flip, ball_room_bits(prec)))
         return;
     int64_t tx = ball_top(x), ty = ball_top(y), top = tx > ty ? tx : ty;
     int64_t e = x->exponent < y->exponent ? x->exponent : y->exponent;
@@ -178,32 +178,47 @@ FIXED_NOINLINE static void add_signed(ball *z, const ball *x, const ball *y, boo
         add_negligible(z, y, y_negative, prec);
 }
 
-FIXED_INLINE void add_any(ball *z, const ball *x, const ball *y, bool flip, long prec)
-{
-    int64_t room = ball_room_bits(prec);
-    bool done = false;
-    switch (fixed_length(x, y, room)) {
-    case 1: done = fixed_add(z, x, y, flip, (int)room, 1); break;
-    case 2: done = fixed_add(z, x, y, flip, (int)room, 2); break;
-    case 3: done = fixed_add(z, x, y, flip, (int)room, 3); break;
-    case 4: done = fixed_add(z, x, y, flip, (int)room, 4); break;
-    default: break;
-    }
-    if (FIXED_UNLIKELY(!done))
-        add_signed(z, x, y, flip, prec);
-}
-
-#if LIMB_HAVE_ADX
-FIXED_BMI2 static void add_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
+FIXED_NOINLINE static void add_general(ball *z, const ball *x, const ball *y, bool flip, long prec)
 {
     add_any(z, x, y, flip, prec);
 }
+
+/* One function for each length, so that each has registers enough. */
+#define ADD_FIXED(name, n, otherwise)                                                                    \
+    FIXED_NOINLINE static void name(ball *z, const ball *x, const ball *y, bool flip, long prec)         \
+    {                                                                                                    \
+        if (FIXED_UNLIKELY(!fixed_add(z, x, y, flip, ball_room_bits(prec), n)))                          \
+            otherwise(z, x, y, flip, prec);                                                              \
+    }
+ADD_FIXED(add_1, 1, add_general)
+ADD_FIXED(add_2, 2, add_general)
+ADD_FIXED(add_3, 3, add_general)
+ADD_FIXED(add_4, 4, add_general)
+
+#if LIMB_HAVE_ADX
+FIXED_BMI2 FIXED_NOINLINE static void add_general_bmi2(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    add_any(z, x, y, flip, prec);
+}
+FIXED_BMI2 ADD_FIXED(add_1_bmi2, 1, add_general_bmi2)
+FIXED_BMI2 ADD_FIXED(add_2_bmi2, 2, add_general_bmi2)
+FIXED_BMI2 ADD_FIXED(add_3_bmi2, 3, add_general_bmi2)
+FIXED_BMI2 ADD_FIXED(add_4_bmi2, 4, add_general_bmi2)
 #endif
 
-static void add(ball *z, const ball *x, const ball *y, bool flip, long prec) { add_any(z, x, y, flip, prec); }
+FIXED_INLINE void add(ball *z, const ball *x, const ball *y, bool flip, long prec)
+{
+    switch (fixed_length(x, y, ball_room_bits(prec))) {
+    case 1: FIXED_BEST(add_1)(z, x, y, flip, prec); break;
+    case 2: FIXED_BEST(add_2)(z, x, y, flip, prec); break;
+    case 3: FIXED_BEST(add_3)(z, x, y, flip, prec); break;
+    case 4: FIXED_BEST(add_4)(z, x, y, flip, prec); break;
+    default: FIXED_BEST(add_general)(z, x, y, flip, prec);
+    }
+}
 
-void ball_add(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(add)(z, x, y, false, prec); }
-void ball_sub(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(add)(z, x, y, true, prec); }
+void ball_add(ball *z, const ball *x, const ball *y, long prec) { add(z, x, y, false, prec); }
+void ball_sub(ball *z, const ball *x, const ball *y, long prec) { add(z, x, y, true, prec); }
 
 void ball_add_error(ball *z, const ball *x, const ball *r, long prec)
 {

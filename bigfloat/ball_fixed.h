@@ -158,95 +158,52 @@ FIXED_INLINE bool fixed_mul(ball *z, const ball *x, const ball *y, int room, con
     return true;
 }
 
-/* to = b >> s, 0 <= s < 64 n; the answer is nonzero iff a bit was lost. */
-FIXED_INLINE limb_t fixed_shift_right(limb_t *to, const limb_t *b, unsigned s, const int n)
-{
-    limb_t buffer[2 * 4], lost = 0;
-    const limb_t *from = b;
-    unsigned r = s % 64;
-    if (FIXED_UNLIKELY(s >= 64)) {
-#define S(i) buffer[i] = b[i]; buffer[n + i] = 0;
-        FIXED_EACH(n, S);
-#undef S
-        from = buffer + s / 64;
-        for (unsigned i = 0; i < s / 64; i++)
-            lost |= buffer[i];
-    }
-    lost |= from[0] & (((limb_t)1 << r) - 1);
-#define S(i) to[i] = from[i] >> r | (i + 1 < n ? (from[i + 1 < n ? i + 1 : 0] << 1) << (63 - r) : 0);
-    FIXED_EACH(n, S);
-#undef S
-    return lost;
-}
-
-/* p = a + b or |a - b|, without branches; the answer is the carry; *flip: b > a.  With b complemented and a carry in,
-   a - b is formed modulo 2^(64 n), and no carry out tells that it is negative. */
-FIXED_INLINE limb_t fixed_sum(limb_t *p, const limb_t *a, const limb_t *b, bool subtract, bool *flip, const int n)
+/* w = a 2^d - b or a 2^d + b, n + 1 limbs, 0 <= d < 63; the answer: has it become its opposite, as it was negative? */
+FIXED_INLINE bool fixed_sum(limb_t *w, const limb_t *a, unsigned d, const limb_t *b, bool subtract, const int n)
 {
     limb_t mask = 0 - (limb_t)subtract, carry = subtract;
-#define S(i) p[i] = limb_add(a[i], b[i] ^ mask, &carry);
+#define S(i) w[i] = limb_add(a[i] << d | (i ? (a[i ? i - 1 : 0] >> 1) >> (63 - d) : 0), b[i] ^ mask, &carry);
     FIXED_EACH(n, S);
 #undef S
-    limb_t negative = mask & (carry - 1), add = negative & 1;
-    *flip = add;
-#define S(i) p[i] = limb_add(p[i] ^ negative, 0, &add);
+    w[n] = ((a[n - 1] >> 1) >> (63 - d)) + mask + carry;
+    if (!FIXED_UNLIKELY(w[n] >> 63))
+        return false;
+    carry = 1;
+#define S(i) w[i] = limb_add(~w[i], 0, &carry);
     FIXED_EACH(n, S);
 #undef S
-    return carry & ~mask;
+    w[n] = ~w[n] + carry;
+    return true;
 }
 
-FIXED_INLINE bool fixed_add(ball *z, const ball *left, const ball *right, bool flip, int room, const int n)
+/* The exact sum in n + 1 limbs, rounded as ball_store does it; for exponents that are not far apart. */
+FIXED_INLINE bool fixed_add(ball *z, const ball *left, const ball *right, bool flip, int64_t room, const int n)
 {
     bool swap = left->exponent < right->exponent;
     const ball *x = swap ? right : left, *y = swap ? left : right;
-    bool x_negative = (x->size < 0) != (flip && swap), y_negative = (y->size < 0) != (flip && !swap);
-    int64_t d = x->exponent - y->exponent;
-    if (FIXED_UNLIKELY(d >= 64 * n))
+    uint64_t d = (uint64_t)(x->exponent - y->exponent);
+    if (FIXED_UNLIKELY(d >= 63 || x->error >> (63 - d)))
         return false;
-    const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
-    /* x goes up by as many bits as it has room for, but not so far that its error gets too long; y comes down by
-       the rest. */
-    limb_t A[4], B[4], P[4];
-    int up = 0;
-    if (a[n - 1] >> 63 || d == 0) {
-#define S(i) A[i] = a[i];
-        FIXED_EACH(n, S);
-#undef S
-    } else {
-        int free_bits = BALL_ERROR_BITS - 1 - limb_bits(x->error);
-        up = limb_clz(a[n - 1]);
-        up = up > d ? (int)d : up;
-        if (FIXED_UNLIKELY(x->error && up > free_bits))
-            up = free_bits > 0 ? free_bits : 0;
-#define S(i) A[i] = a[i] << up | (i > 0 ? (a[i ? i - 1 : 0] >> 1) >> (63 - up) : 0);
-        FIXED_EACH(n, S);
-#undef S
-    }
-    unsigned down = (unsigned)(d - up);
-    limb_t lost = fixed_shift_right(B, b, down, n);
-    limb_t low = down < 64 ? y->error & (((limb_t)1 << down) - 1) : y->error;
-    limb_t err = (x->error << up) + fixed_right(y->error, down < 64 ? down : 64) + (low != 0) /* ROUNDING: ceiling */
-                 + (lost != 0); /* ROUNDING: less than one unit was cut off */
-    bool negated;
-    limb_t carry = fixed_sum(P, A, B, x_negative != y_negative, &negated, n);
-    if (lost && FIXED_UNLIKELY(!carry && P[n - 1] >> (x->error | y->error ? 61 : 63) == 0))
-        return false; /* digits cancelled, or an exact sum might fit: the general path keeps all digits */
-    if (FIXED_UNLIKELY(room > 64 * n && (carry || lost || low) && err < 256))
-        return false; /* there is room for more limbs, and the error has not yet eaten them */
-    int s = FIXED_UNLIKELY(err >> BALL_ERROR_BITS) ? limb_bits(err) - (BALL_ERROR_BITS - 1) : (int)carry; /* 0, 1 or 2 */
+    limb_t w[4 + 1], err = (x->error << d) + y->error;
+    bool negative = fixed_sum(w, ball_limbs(x), (unsigned)d, ball_limbs(y), ((x->size ^ y->size) < 0) != flip, n)
+                    != ((x->size < 0) != (flip && swap));
+    unsigned s = (unsigned)limb_bits(w[n]); /* < 64 */
     limb_t mask = ((limb_t)1 << s) - 1;
     /* ROUNDING: ceiling of the error, and the bits cut off */
-    err = (err >> s) + ((err & mask) != 0) + ((P[0] & mask) != 0);
+    limb_t error = (err >> s) + ((err & mask) != 0) + ((w[0] & mask) != 0);
+    if (FIXED_UNLIKELY(error >> (BALL_ERROR_BITS - 1) || (room > 64 * n && s && error < 256)))
+        return false; /* more must go, or there is room for more limbs and the error has not yet eaten them */
     limb_t *p = fixed_target(z);
-#define S(i) p[i] = P[i] >> s | ((i + 1 < n ? P[i + 1 < n ? i + 1 : 0] : carry) << 1) << (63 - s);
+#define S(i) p[i] = w[i] >> s | (w[i + 1] << 1) << (63 - s);
     FIXED_EACH(n, S);
 #undef S
     int size = n;
-    while (FIXED_UNLIKELY(size && p[size - 1] == 0))
-        size--;
-    int64_t e = x->exponent - up + s;
-    z->error = err;
-    z->size = x_negative != negated ? -size : size;
+    int64_t e = y->exponent + (int64_t)s;
+    if (FIXED_UNLIKELY(p[n - 1] == 0))
+        while (size && p[size - 1] == 0)
+            size--;
+    z->error = error;
+    z->size = negative ? -size : size;
     z->exponent = e;
     if (FIXED_UNLIKELY(size == 0 || e > BALL_MAX_EXPONENT || e < -BALL_MAX_EXPONENT))
         ball_settle_exponent(z);

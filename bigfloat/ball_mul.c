@@ -6,6 +6,15 @@
 /* A bound err 2^k for the product's error; the words are < 2^30 (2^31 + 2), their sum < 2^62 + 2^33. */
 static limb_t product_error(int64_t *k, const ball *x, const ball *y)
 {
+    size_t n = ball_length(x);
+    if (n > 1 && n == ball_length(y)) {
+        const limb_t *a = ball_limbs(x), *b = ball_limbs(y);
+        limb_t err;
+        int at;
+        fixed_product_error(&err, &at, x, y, a, b, (unsigned)limb_clz(a[n - 1]), (unsigned)limb_clz(b[n - 1]), (int)n);
+        *k = at;
+        return err;
+    }
     limb_t u, v;
     int64_t i, j;
     ball_mantissa_word(&u, &i, x);
@@ -37,28 +46,34 @@ FIXED_NOINLINE static void mul_general(ball *z, const ball *x, const ball *y, lo
     ball_scratch_free(&space);
 }
 
-FIXED_INLINE void mul_any(ball *z, const ball *x, const ball *y, long prec)
-{
-    int64_t room = ball_room_bits(prec);
-    bool done = false;
-    switch (fixed_length(x, y, room)) {
-    case 1: done = fixed_mul(z, x, y, (int)room, 1); break;
-    case 2: done = fixed_mul(z, x, y, (int)room, 2); break;
-    case 3: done = fixed_mul(z, x, y, (int)room, 3); break;
-    case 4: done = fixed_mul(z, x, y, (int)room, 4); break;
-    default: break;
+/* One function for each length, so that each has registers enough. */
+#define MUL_FIXED(name, n)                                                                   \
+    FIXED_NOINLINE static void name(ball *z, const ball *x, const ball *y, long prec)        \
+    {                                                                                        \
+        if (FIXED_UNLIKELY(!fixed_mul(z, x, y, (int)ball_room_bits(prec), n)))               \
+            mul_general(z, x, y, prec);                                                      \
     }
-    if (FIXED_UNLIKELY(!done))
-        mul_general(z, x, y, prec);
-}
-
+MUL_FIXED(mul_1, 1)
+MUL_FIXED(mul_2, 2)
+MUL_FIXED(mul_3, 3)
+MUL_FIXED(mul_4, 4)
 #if LIMB_HAVE_ADX
-FIXED_BMI2 static void mul_bmi2(ball *z, const ball *x, const ball *y, long prec) { mul_any(z, x, y, prec); }
+FIXED_BMI2 MUL_FIXED(mul_1_bmi2, 1)
+FIXED_BMI2 MUL_FIXED(mul_2_bmi2, 2)
+FIXED_BMI2 MUL_FIXED(mul_3_bmi2, 3)
+FIXED_BMI2 MUL_FIXED(mul_4_bmi2, 4)
 #endif
 
-static void mul(ball *z, const ball *x, const ball *y, long prec) { mul_any(z, x, y, prec); }
-
-void ball_mul(ball *z, const ball *x, const ball *y, long prec) { FIXED_BEST(mul)(z, x, y, prec); }
+void ball_mul(ball *z, const ball *x, const ball *y, long prec)
+{
+    switch (fixed_length(x, y, ball_room_bits(prec))) {
+    case 1: FIXED_BEST(mul_1)(z, x, y, prec); break;
+    case 2: FIXED_BEST(mul_2)(z, x, y, prec); break;
+    case 3: FIXED_BEST(mul_3)(z, x, y, prec); break;
+    case 4: FIXED_BEST(mul_4)(z, x, y, prec); break;
+    default: mul_general(z, x, y, prec);
+    }
+}
 
 void ball_sqr(ball *z, const ball *x, long prec)
 {

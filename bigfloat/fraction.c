@@ -31,8 +31,8 @@ static void high_product(limb_t *p, const limb_t *a, const limb_t *b, size_t n)
     p[n + 1] = limb_addmul_1(p + 1, a, n, b[n - 1]);
 }
 
-/* ROUNDING (hidden by what the series counts for a product): what is left out are words below (n - 1) B^(n - 1), then
-   less than one ulp B^n is cut: d < 2 ulp. */
+/* ROUNDING (hidden by what the series counts for a product): the words left out are together below (n - 2) B^(n - 1),
+   then less than one ulp B^n is cut: d < 2 ulp. */
 bool fraction_mul(limb_t *z, const limb_t *a, const limb_t *b, size_t n, limb_t *p)
 {
     if (n >= 4 && n < HIGH_PRODUCT_LIMBS) {

@@ -18,7 +18,7 @@ bool fraction_square(limb_t *z, const limb_t *a, size_t n, limb_t *p);
 /* z = floor(a / 2^s), any s. */
 void fraction_shift_right(limb_t *z, const limb_t *a, size_t n, size_t s);
 
-/* floor(pi 2^(64 n)), or one less: n + 1 limbs. */
+/* floor(pi 2^(64 n)), or one less: n + 1 limbs; n < 2^20. */
 bool fraction_pi(limb_t *p, size_t n);
 bool fraction_pi_series(limb_t *p, size_t n); /* the same without the table */
 
@@ -50,12 +50,12 @@ bool angle_complement(angle *x);
 /* pi t for a rational 0 <= t < 1 */
 bool angle_of_turns(angle *x, const rational *t);
 
-/* Below about 2^-fraction_halvings(n) an angle is small: sine and cosine have their own series. */
+/* Below 2^-fraction_halvings(n) an angle is small: sine and cosine have their own series. */
 size_t fraction_halvings(size_t n);
 
-/* sum over k < K of (-1)^k z^k / (d_1 ... d_k), d_k = (2 k - 1) 2 k (first = 1: the cosine of y, z = y^2) or
-   2 k (2 k + 1) (first = 2: sin(y) / y), as n + 1 limbs with an error of at most *err ulp, the rest of the series
-   included. */
+/* cos y (first = 1) or sin(y) / y (first = 2), as n + 1 limbs with an error of at most *err ulp, from z = floor(y^2);
+   0 <= y < 2^-fraction_halvings(n), which is below 2^-6.  The sum is that of (-1)^k z^k / (d_1 ... d_k), with
+   d_k = (2 k - 1) 2 k or 2 k (2 k + 1). */
 bool fraction_series(limb_t *sum, limb_t *err, const limb_t *z, size_t n, limb_t first);
 
 /* w = cos x, 0 <= x < 1.58. */

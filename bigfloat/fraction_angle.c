@@ -32,7 +32,7 @@ static bool half_pi(limb_t *p, size_t n)
 }
 
 /* |x| >= 1/2.  With I integer limbs, x is compared with P = pi/2 to n + I limbs: X B^I = q P + R.  As q < B^I, the
-   q or q + 1 copies of P, each less than 2 units B^-(n + I) below pi/2, are wrong by less than 2 ulp. */
+   q or q + 1 copies of P, each less than 3/2 units B^-(n + I) below pi/2, are wrong by less than 3/2 ulp. */
 static bool subtract_turns(angle *x, unsigned *turn, bool *minus, const ball *of, size_t I)
 {
     size_t n = x->n, W = n + I;
@@ -42,7 +42,8 @@ static bool subtract_turns(angle *x, unsigned *turn, bool *minus, const ball *of
     if (ok) {
         limb_t *A = P + W + 1, *R = A + W + I + 1, *q = R + W + 1, *C = q + I + 1;
         limb_zero(A, I);
-        x->wrong = 3 + to_fixed(A + I, W + 1, n, of); /* ROUNDING: q P, 2; the cut of R below, 1; the floor of x, 1 */
+        to_fixed(A + I, W + 1, n, of);
+        x->wrong = 3; /* ROUNDING: the copies of P, 3/2; the cut of R below and the floor of x, 1 */
         q[0] = 0;
         if (I)
             ok = limb_divide(q, R, A, W + I + 1, P, W + 1);
@@ -104,7 +105,7 @@ bool angle_complement(angle *x)
     bool ok = P && half_pi(P, x->n);
     if (ok) {
         limb_sub_n(x->w, P, x->w, x->n + 1);
-        x->wrong += 2; /* ROUNDING: pi/2 */
+        x->wrong += 2; /* ROUNDING: pi/2, 3/2 */
     }
     ball_scratch_free(&space);
     return ok;

@@ -12,7 +12,7 @@ static limb_t high_word(limb_t a, limb_t b)
     return high;
 }
 
-/* atan(x 2^-64) 2^64, within 4: with j = floor(16 x), atan x = atan(j / 16) + atan t, t = (x - j/16) / (1 + x j/16) <
+/* atan(x 2^-64) 2^64, within 3: with j = floor(16 x), atan x = atan(j / 16) + atan t, t = (x - j/16) / (1 + x j/16) <
    1/16.  The tests compare the table of floor(atan(j / 16) 2^64) with what is computed with it at higher precision. */
 static limb_t atan_word(limb_t x)
 {
@@ -52,7 +52,7 @@ static limb_t tail_series(limb_t *sum, const limb_t *d, size_t n, limb_t *p, boo
             limb_sub_any(sum, sum, n, p, L);
         else
             limb_add_any(sum, sum, n, p, L);
-        err += 2; /* ROUNDING: the power, less than 2 / 3; the quotient */
+        err += 2; /* ROUNDING: the power, 3/2 / k; the quotient, 1 */
     }
     return err;
 }
@@ -74,7 +74,7 @@ static bool difference(limb_t *d, bool *negative, const limb_t *x, const limb_t 
     size_t L = limb_normal(num + n, n);
     if (ok && L && den[n])
         ok = limb_divide(d, NULL, num, n + L, den, n + 1);
-    else if (ok && L) /* den below 1 by roundings */
+    else if (ok && L) /* den below 1 by roundings only: 1 */
         limb_copy(d, num + n, L);
     return ok;
 }
@@ -92,10 +92,10 @@ static bool correct(draft *to, const limb_t *a, const limb_t *x, size_t n)
         y[n] = 0;
         angle angle_a = {y, n, 0};
         ok = fraction_sin_cos(&s, &c, &angle_a);
-        if (c.w[n]) { /* cos a = 1 up to roundings: take 1 - ulp */
+        if (c.w[n]) { /* the cosine is 1, as n limbs do not hold it: take 1 - ulp */
             for (size_t i = 0; i < n; i++)
                 c.w[i] = ~(limb_t)0;
-            c.err++; /* ROUNDING (hidden by the bound of the series): the ulp taken off */
+            c.err++; /* ROUNDING (hidden by the series): the ulp taken off */
         }
         ok = ok && difference(d, &negative, x, s.w, c.w, n, v);
         if (ok) {
@@ -107,8 +107,8 @@ static bool correct(draft *to, const limb_t *a, const limb_t *x, size_t n)
             else
                 limb_add_n(to->w, to->w, y, n);
             to->k = s.k > c.k ? s.k : c.k;
-            /* ROUNDING: sine and cosine, each at most 3/2 times; the products and the quotient, 4; the series */
-            to->err = 2 * (ball_error_at(to->k, s.err, s.k) + ball_error_at(to->k, c.err, c.k))
+            /* ROUNDING: sine and cosine; the products, 2, the quotient, 1, and tiny ones, 1; the series */
+            to->err = ball_error_at(to->k, s.err, s.k) + ball_error_at(to->k, c.err, c.k)
                       + ball_error_at(to->k, 4 + series, 0);
         }
     }
@@ -137,11 +137,11 @@ static bool atan_limbs(draft *to, const limb_t *x, size_t n)
     if (n == 1) {
         to->w[0] = atan_word(x[0]);
         to->w[1] = 0;
-        to->err = 4; /* ROUNDING: see atan_word */
+        to->err = 3; /* ROUNDING: see atan_word */
         to->k = 0;
         return true;
     }
-    if (zeros >= 6 * n && zeros >= 2)
+    if (zeros >= 6 * n)
         return small_atan(to, x, n);
     size_t m = (n + 3) / 4;
     ball_scratch space;
@@ -165,7 +165,7 @@ bool fraction_atan(draft *a, const angle *x)
         ok = fraction_pi(a->w, n);
         limb_shift_right(a->w, a->w, n + 1, 2);
         a->negative = false;
-        a->err = 2; /* ROUNDING: pi / 4, 1; the floor, 1 */
+        a->err = 2; /* ROUNDING: pi / 4, 1/2; the floor, 1 */
         a->k = 0;
     } else
         ok = atan_limbs(a, x->w, n);

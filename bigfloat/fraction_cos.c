@@ -5,8 +5,8 @@
    sine has its own series.  The bounds: errors-trig.md, "Versines" and "Sines". */
 #include "fraction.h"
 
-/* Chosen for speed: a halving costs a square, and saves 2 bits in each factor z of the series.  But at least 2, so that
-   z < 1/16 for angles below 0.8, and at least n / 256, so that the series has no more than 2^13 terms. */
+/* Chosen for speed: a halving costs a square, and saves 2 bits in each factor z of the series.  The proofs ask for at
+   least 6, so that z < 2^-12, and n / 256, so that the series has no more than 2^13 terms. */
 size_t fraction_halvings(size_t n) { return n < 64 ? 6 + n / 8 : n < 4000 ? 13 + n / 64 : 60 + n / 256; }
 
 /* v = 4 v - 2 floor(v^2), with an integer part (0 or 1), which is lost unless it is the last time */
@@ -32,7 +32,7 @@ static bool versine(limb_t *v, limb_t *err, int64_t *k, const angle *x, limb_t *
     limb_copy(v, p, n);
     if (!fraction_square(z, v, n, p) || !fraction_series(v, err, z, n, 1))
         return false;
-    if (v[n]) /* cos y >= 1 by roundings only, or y = 0 */
+    if (v[n]) /* the sum is 1, or above by roundings only */
         limb_zero(v, n + 1);
     else {
         limb_zero(p, n);
@@ -41,7 +41,7 @@ static bool versine(limb_t *v, limb_t *err, int64_t *k, const angle *x, limb_t *
     for (size_t i = 0; i < r; i++)
         if (!double_versine(v, n, p))
             return false;
-    *err += 2 + x->wrong; /* ROUNDING (hidden by the series): the squares, 2/3; the angle, (2^r + wrong) / 4^r */
+    *err += 2 + x->wrong; /* ROUNDING (hidden by the series): the squares, 2/3; the angle, 1/2 + wrong */
     *k = 2 * (int64_t)r;
     return true;
 }

@@ -25,7 +25,7 @@ static void range_clear(range *r)
     integer_clear(&r->T);
 }
 
-/* k < 2^19: every word product here is below 2^63 */
+/* k < 2^21: every word here is below 2^63 */
 static bool one_term(range *r, int64_t k)
 {
     const int64_t c = 10939058860032000; /* 640320^3 / 24 */
@@ -57,18 +57,20 @@ static bool quotient(integer *x, const range *r, size_t N)
            && integer_mul(x, x, &r->Q) && integer_fdiv_q(x, x, &r->T);
 }
 
-/* One limb more than asked for, N = n + 1, takes up the error, which errors-trig.md, "Pi", bounds by 6 B^-N: the lower
-   bound that remains is less than 12 B^-N below pi, and its upper limbs are floor(pi B^n) or one less. */
+/* One limb more than asked for, N = n + 1, takes up the error: by errors-trig.md, "Pi", the integer less 1 is a lower
+   bound of pi B^N, and less than 3 below it, so that its upper limbs are floor(pi B^n) or one less. */
 bool fraction_pi_series(limb_t *p, size_t n)
 {
     size_t N = n + 1;
+    if (n >> 20)
+        return false;
     range r;
     integer x;
     range_init(&r);
     integer_init(&x);
-    /* each term has 47 bits less than the one before */
+    /* more than 64 N / 47 + 1 terms, each of which has 47 bits less than the one before */
     bool ok = split(&r, 0, (int64_t)(64 * N / 47 + 2)) && quotient(&x, &r, N)
-              && integer_add_si(&x, &x, -6); /* ROUNDING (hidden by the limb added): the rest, the root, the quotient */
+              && integer_add_si(&x, &x, -1); /* ROUNDING (hidden by the limb added): the rest of the series */
     if (ok) {
         const limb_t *w = integer_limbs(&x);
         size_t length = (size_t)integer_length(&x); /* N + 1 */

@@ -4,10 +4,11 @@
    cost one product with a word each, and only from block to block one multiplies by z^m.  The words: terms g, ..., h -
    1 form a group with one denominator, 1/(d_1 ... d_k) = N_k / (d_1 ... d_(h-1)) with N_k = d_(k+1) ... d_(h-1) in one
    word; from group to group one divides by d_g ... d_(h-1).  Terms that come later weigh less and are computed with
-   fewer limbs.  m and the number of terms of a group are even, so that all that is multiplied or divided is >= 0. */
+   fewer limbs.  m is
+   even, and groups end at even terms, so that all that is multiplied by z^m or divided is >= 0. */
 #include "fraction.h"
 
-/* Products of coefficients stay below this, times d_1 <= 6 at the end: the highest bit of the sum is its sign. */
+/* No N is greater than this, times d_1 <= 6 at the end, and no group's denominator. */
 #define WORD_LIMIT ((limb_t)1 << 60)
 
 static limb_t divisor(limb_t k, limb_t first) { return (2 * k + first - 2) * (2 * k + first - 1); }
@@ -18,7 +19,7 @@ static size_t count_terms(size_t n, size_t zero_bits, limb_t first)
     size_t K = 0, bits = 0;
     while (bits < 64 * n)
         bits += zero_bits + (size_t)limb_bits(divisor(++K, first)) - 1;
-    return K ? K : 1;
+    return K;
 }
 
 /* Even, near sqrt(K). */
@@ -40,7 +41,7 @@ static bool group_is_full(limb_t N, limb_t k, limb_t first)
     return limit < divisor(k - 2, first);
 }
 
-/* z^2, ..., z^m: all powers are within 3 ulp, as z < 1/16 is within 1. */
+/* z^2, ..., z^m, each less than 3 ulp too low. */
 static bool fill_powers(limb_t *power, const limb_t *z, size_t m, size_t n, limb_t *p)
 {
     bool ok = true;
@@ -64,7 +65,7 @@ static void add_term(limb_t *sum, size_t n, size_t L, const limb_t *power, size_
     sum[n] = minus ? sum[n] - high : sum[n] + high;
 }
 
-/* sum = sum z^m, with L limbs; sum >= 0 */
+/* sum = sum z^m, with L limbs */
 static bool next_block(limb_t *sum, size_t n, size_t L, const limb_t *zm, limb_t *p)
 {
     limb_t whole = sum[n], *s = sum + n - L;
@@ -75,8 +76,8 @@ static bool next_block(limb_t *sum, size_t n, size_t L, const limb_t *zm, limb_t
     return ok;
 }
 
-/* Each error counted here is in units of the limbs in use, B^-L, times the weight of the sum at this place, and L is
-   such that this is at most one ulp; see errors-trig.md, "Series". */
+/* The errors counted here are bounded in errors-trig.md, "Series": L is such that a unit of the limbs in use, B^-L, has
+   a weight of at most one ulp in the result. */
 static bool sum_terms(limb_t *sum, limb_t *err, const limb_t *power, size_t m, size_t K, size_t n, size_t zero_bits,
                       limb_t first, limb_t *p)
 {
@@ -85,7 +86,7 @@ static bool sum_terms(limb_t *sum, limb_t *err, const limb_t *power, size_t m, s
         weight += (size_t)limb_bits(divisor(k, first)) - 1;
     limb_t N = 1;
     bool ok = true;
-    *err = 3; /* ROUNDING (hidden by the terms' cuts): 1 for the rest of the series, 2 for the powers */
+    *err = 2; /* ROUNDING (hidden by the terms' cuts): 1 for the rest of the series, 1/2 for z, 1/8 for its powers */
     limb_zero(sum, n + 1);
     for (size_t k = K; ok && k-- > 0;) {
         size_t drop = (k / m * m * zero_bits + weight) / 64, L = drop < n ? n - drop : 1;
@@ -103,11 +104,9 @@ static bool sum_terms(limb_t *sum, limb_t *err, const limb_t *power, size_t m, s
         L = drop < n ? n - drop : 1;
         if (k % m == 0) {
             ok = next_block(sum, n, L, power + (m - 1) * n, p);
-            *err += 3; /* ROUNDING (hidden by the terms' cuts): z^m cut, 1/2; the product, 2 */
+            *err += 1; /* ROUNDING (hidden by the terms' cuts): z^m, 1/4; the product, 1/6 */
         }
         if (k % 2 == 0 && group_is_full(N, k, first)) {
-            if (sum[n] >> 63)
-                limb_zero(sum, n + 1); /* negative by roundings only */
             limb_divrem_1(sum + n - L, sum + n - L, L + 1, N * d);
             *err += 1; /* ROUNDING (hidden by the terms' cuts): the quotient */
             N = 1;

@@ -56,6 +56,7 @@ bool limb_low_bits_zero(const limb_t *a, size_t n, size_t bits)
 limb_t limb_add_n(limb_t *z, const limb_t *a, const limb_t *b, size_t n)
 {
     limb_t carry = 0;
+#pragma GCC unroll 4
     for (size_t i = 0; i < n; i++)
         z[i] = limb_add(a[i], b[i], &carry);
     return carry;
@@ -64,6 +65,7 @@ limb_t limb_add_n(limb_t *z, const limb_t *a, const limb_t *b, size_t n)
 limb_t limb_sub_n(limb_t *z, const limb_t *a, const limb_t *b, size_t n)
 {
     limb_t borrow = 0;
+#pragma GCC unroll 4
     for (size_t i = 0; i < n; i++)
         z[i] = limb_sub(a[i], b[i], &borrow);
     return borrow;

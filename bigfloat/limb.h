@@ -18,6 +18,12 @@ __extension__ typedef __int128 limb_signed_pair_t;
 #else
 #define LIMB_INT128 0
 #endif
+#if LIMB_INT128 && defined(__x86_64__) && defined(__GNUC__)
+#include <immintrin.h>
+#define LIMB_CARRY_FLAG 1 /* chains of sums compile to chains of adc */
+#else
+#define LIMB_CARRY_FLAG 0
+#endif
 
 typedef uint64_t limb_t;
 
@@ -54,7 +60,11 @@ static inline int limb_bits(limb_t a) { return a ? 64 - limb_clz(a) : 0; }
 /* a + b + *carry = result + 2^64 *carry; carry 0 or 1. */
 static inline limb_t limb_add(limb_t a, limb_t b, limb_t *carry)
 {
-#if LIMB_INT128
+#if LIMB_CARRY_FLAG
+    unsigned long long t;
+    *carry = _addcarry_u64((unsigned char)*carry, a, b, &t);
+    return t;
+#elif LIMB_INT128
     limb_pair_t t = (limb_pair_t)a + b + *carry;
     *carry = (limb_t)(t >> 64);
     return (limb_t)t;
@@ -68,9 +78,15 @@ static inline limb_t limb_add(limb_t a, limb_t b, limb_t *carry)
 /* a - b - *borrow = result - 2^64 *borrow; borrow 0 or 1. */
 static inline limb_t limb_sub(limb_t a, limb_t b, limb_t *borrow)
 {
+#if LIMB_CARRY_FLAG
+    unsigned long long d;
+    *borrow = _subborrow_u64((unsigned char)*borrow, a, b, &d);
+    return d;
+#else
     limb_t d = a - b, e = d - *borrow;
     *borrow = (limb_t)(a < b) | (limb_t)(d < *borrow);
     return e;
+#endif
 }
 
 /* a b = result + 2^64 *high. */

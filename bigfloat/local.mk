@@ -25,6 +25,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/ball.c \
   bigfloat/ball_add.c \
   bigfloat/ball_mul.c \
+  bigfloat/ball_dot_even.c \
   bigfloat/ball_dot.c \
   bigfloat/ball_div.c \
   bigfloat/ball_compare.c \
@@ -60,7 +61,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/grid_compare.c \
   bigfloat/grid_text.c \
   \
-  bigfloat/number.h bigfloat/jet.h
+  bigfloat/number.h bigfloat/jet.h bigfloat/number_jet.h
 
 EXTRA_DIST += bigfloat/errors.md bigfloat/errors-trig.md
 

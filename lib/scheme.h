@@ -59,6 +59,8 @@ typedef struct {
 typedef struct {
     char name[SCHEME_NAME_MAX + 1];
     source_text source;
+    char *text;            /* canonical, with the values that settings gave to parameters: what certificates contain */
+    size_t text_length;
     definitions definitions;
     mesh_kind mesh;
     scheme_step steps[SCHEME_MAX_STEPS];

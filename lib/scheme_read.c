@@ -72,6 +72,8 @@ static status read_body(scheme_reader *r)
     s = read_mask(r);
     for (reader_next_line(r); s == STATUS_OK && reader_take_word(r, "rule"); reader_next_line(r))
         s = read_rule(r);
+    if (s == STATUS_OK && r->z->mirror_symmetric) /* the mask is */
+        s = find_symmetry(&r->z->mirror_symmetric, &r->z->steps[0], r->z->mesh);
     return s;
 }
 
@@ -82,5 +84,5 @@ status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_set
     if (s != STATUS_OK || (s = read_name(&r)) != STATUS_OK || (s = read_mesh(&r)) != STATUS_OK || (s = read_dilation(&r)) != STATUS_OK
         || (s = read_vertices(&r)) != STATUS_OK || (s = read_definitions(&r)) != STATUS_OK || (s = read_body(&r)) != STATUS_OK)
         return s;
-    return r.line ? reader_expected(&r, "nothing more") : STATUS_OK;
+    return r.line ? reader_expected(&r, "nothing more") : scheme_set_text(&r);
 }

@@ -48,8 +48,12 @@ status read_definitions(scheme_reader *r);
 status read_mask(scheme_reader *r);
 /* scheme_rule.c; the current line begins with `rule`. */
 status read_rule(scheme_reader *r);
+/* scheme_symmetry.c: are the rules evidently invariant under reflection? */
+status find_symmetry(bool *symmetric, const scheme_step *step, mesh_kind mesh);
 /* scheme_compose.c; the current line begins with `compose`. */
 status read_compose(scheme_reader *r);
+/* z->text, when everything has been read. */
+status scheme_set_text(scheme_reader *r);
 
 /* The whole mask of a scheme whose mesh is r->z->mesh: affine, and the same seen from every sector (scheme_mask.c). */
 status check_mask(scheme_reader *r, const laurent *mask);

@@ -128,6 +128,8 @@ static status read_rule_body(rule *z, scheme_reader *r)
         if (z->count == SCHEME_MAX_SOURCES)
             return reader_complain(r, "a rule may have %s sources at most", "32");
         s = read_source(&z->sources[z->count], r);
+        if (s == STATUS_OK && z->at_centre && z->sources[z->count].kind > SOURCE_ALL) /* a single sector would turn nets of one frequency into others */
+            s = reader_complain(r, "a rule for the centre must treat all sectors alike: write %s, with the weight of all of them together", "'all' in front of the point");
         z->count++; /* also after a complaint: its formulas are freed with the rule */
     }
     if (s == STATUS_OK)
@@ -135,28 +137,11 @@ static status read_rule_body(rule *z, scheme_reader *r)
     return s == STATUS_OK ? check_rest(z, r) : s;
 }
 
-/* Is a rule evidently the same seen in a mirror?  The target must lie on a spoke or a bisector, and the sources be
-   the centre, whole rings, or the target's own label with a real spectrum. */
-static bool is_mirror_symmetric(const rule *z, mesh_kind mesh)
-{
-    bool spoke = !z->at_centre && mesh != MESH_DUAL && z->point.b == 0;
-    if (!z->at_centre && !spoke && z->point.a != z->point.b)
-        return false;
-    for (int i = 0; i < z->count; i++) {
-        const source *s = &z->sources[i];
-        bool same_axis = !z->at_centre && (spoke ? s->point.b == 0 && mesh != MESH_DUAL : s->point.a == s->point.b);
-        if (s->kind == SOURCE_SECTORS || s->imaginary || (s->kind == SOURCE_POINT && (s->offset != 0 || !same_axis)) || (s->kind == SOURCE_SPECTRUM && !same_axis))
-            return false;
-    }
-    return true;
-}
-
 /* The current line begins with `rule`. */
 status read_rule(scheme_reader *r)
 {
     scheme_step *step = &r->z->steps[0];
     rule *grown;
-    status s;
     if (step->rule_count == SCHEME_MAX_RULES)
         return reader_complain(r, "a scheme may have %s rules at most", "16");
     grown = realloc(step->rules, (size_t)(step->rule_count + 1) * sizeof *grown);
@@ -164,8 +149,5 @@ status read_rule(scheme_reader *r)
         return STATUS_NO_MEMORY;
     step->rules = grown;
     memset(&step->rules[step->rule_count], 0, sizeof *grown);
-    s = read_rule_body(&step->rules[step->rule_count++], r);
-    if (s == STATUS_OK && !is_mirror_symmetric(&step->rules[step->rule_count - 1], r->z->mesh))
-        r->z->mirror_symmetric = false;
-    return s;
+    return read_rule_body(&step->rules[step->rule_count++], r);
 }

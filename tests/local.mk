@@ -35,6 +35,7 @@ LIB_TESTS = \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
+  tests/lib/t-bernstein \
   tests/lib/t-eigen_approx \
   tests/lib/t-schur_approx
 tests_lib_t_formula_LDADD = $(LINK_LIB)
@@ -43,6 +44,7 @@ tests_lib_t_regular_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
+tests_lib_t_bernstein_LDADD = $(LINK_LIB)
 tests_lib_t_eigen_approx_LDADD = $(LINK_LIB)
 tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 
@@ -71,12 +73,18 @@ tests_check_t_check_spectrum_LDADD =
 GENERIC_TESTS = \
   tests/lib/t-formula_value \
   tests/lib/t-block \
+  tests/lib/t-frequencies \
   tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \
+  tests/lib/t-cover \
+  tests/lib/t-monotone \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
-  tests/lib/t-charnet
+  tests/lib/t-complex_eigenpair \
+  tests/lib/t-charnet \
+  tests/lib/t-charnet_schemes \
+  tests/lib/t-ring
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \

@@ -19,6 +19,8 @@ void archive_init(archive *z);
 void archive_clear(archive *z);
 /* Opens or creates the directory for the scheme.  errno says more of an ARCHIVE_IO_ERROR. */
 archive_status archive_open(archive *z, const char *path, const scheme *s);
+/* The certificate of an earlier run, if there is one that can be read; nobody vouches for it. */
+void archive_read(const archive *z, buffer *certificate, long valence);
 /* Keeps log and certificate of a decision (an undecided one does not displace an earlier proof); *certificate receives the path of the latter, to be freed, or NULL. */
 archive_status archive_keep(archive *z, char **certificate, const decision *d);
 

@@ -2,22 +2,28 @@
 
 VERIFY_SOURCES = \
   verify/outcome.h verify/outcome.c \
+  verify/deadline.h verify/deadline.c \
   verify/buffer.h verify/buffer.c \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
-  verify/problem.h verify/problem.c \
   verify/choices.h verify/choices.c \
+  verify/problem.h verify/problem.c \
   verify/certificate.h verify/certificate.c \
-  verify/analysis.h verify/findings.c \
+  verify/findings.h verify/findings.c \
+  verify/analysis.h \
   verify/escalate.h verify/escalate.c \
+  verify/prove_output.h verify/prove_output.c \
   verify/archive.h verify/archive.c \
   verify/valences.h verify/valences.c \
+  verify/workers.h verify/workers.c \
+  verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \
   verify/adaptive.h verify/adaptive.c \
   verify/tests.h \
+  verify/eigenpair_test.c \
   verify/spectrum_test.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \

@@ -58,7 +58,7 @@ int main(int argc, char **argv)
         return finish_output(0);
     }
     if (!strcmp(argv[1], "--version")) {
-        puts("smoothcert " PACKAGE_VERSION "\ncertificate format 0");
+        puts("smoothcert " PACKAGE_VERSION "\ncertificate format 1");
         return finish_output(0);
     }
     if (!strcmp(argv[1], "prove"))

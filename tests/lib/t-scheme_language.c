@@ -292,6 +292,8 @@ static void test_sources(void)
     check_complaint("no rest", HEAD MASK "rule (1,0)\ncentre 1\nend\n", NULL, 11, 1, ONE_REST);
     check_complaint("two spectra", HEAD MASK "rule (1,0)\n(1,0) spectrum 1/2\n(1,1) spectrum 1/2\nend\n", NULL, 12, 1, ONE_REST);
     check_accepted("two spectra and a rest", HEAD MASK "rule (1,0)\n(1,0) spectrum 1/2\n(1,1) spectrum 1/2\ncentre rest\nend\n");
+    check_complaint("one sector of the centre", HEAD MASK "rule centre\n(1,0) 1/3\ncentre rest\nend\n", NULL, 10, 1,
+                    "a rule for the centre must treat all sectors alike: write 'all' in front of the point, with the weight of all of them together");
     check_complaint("rest of sectors", HEAD MASK "rule (1,0)\n(1,0) @ j rest\nend\n", NULL, 11, 1, "'rest' cannot be the weights of all sectors; give it to another point");
     check_complaint("rest of a spectrum", HEAD MASK "rule (1,0)\n(1,0) spectrum rest\nend\n", NULL, 10, 16, "unknown word 'rest': expected a number, k, pi, a function or a name defined before");
     check_complaint("j alone", HEAD MASK "rule (1,0)\ncentre j\n(1,0) rest\nend\n", NULL, 10, 8, "j, the sector, has no meaning here");
@@ -309,6 +311,74 @@ static void test_sources(void)
     check_complaint("point outside a dual sector", HEAD_DUAL "mask symmetric\n(1/2,1/2) 9/16\n(1/2,3/2) 3/16\n(3/2,3/2) 1/16\nend\nrule (1/2,-1/2)\n", NULL, 10, 6,
                     "expected a point of the sector: both coordinates at least 1/2 and at most 31/2, found '(1/2,-1/2)'");
     check_complaint("halves on a quad mesh", HEAD_QUAD "mask symmetric\n(1/2,1/2) 9/16\nend\n", NULL, 6, 3, "expected ',', found '/2,1/2)'");
+    test_end();
+}
+
+/* ---- mirror symmetry ---- */
+
+static void check_mirror(bool symmetric, const char *rules, const char *head)
+{
+    char text[2000];
+    scheme s;
+    diagnostic d;
+    snprintf(text, sizeof text, "%s%s", head, rules);
+    CHECK(read_with(&s, text, NULL, 0, &d) == STATUS_OK, "%s: %ld:%ld: %s", rules, d.line, d.column, d.text);
+    CHECK(s.mirror_symmetric == symmetric, "%s: symmetric %d", rules, s.mirror_symmetric);
+    scheme_clear(&s);
+}
+
+static void test_mirror(void)
+{
+    static const char *const yes[] = {
+        "rule centre\nall (2,1) k/9\nall (1,2) k/9\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\n(1,0) @ -1 0.125\ncentre rest\nend\n",                  /* equal as numbers */
+        "rule (2,0)\n(1,1) k/8\n(1,1) @ -1 k/8\ncentre rest\nend\n",                        /* equal as formulas */
+        "rule (2,0)\n(2,1) @ 2 1/k\n(1,2) @ -3 1/k\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) a\n(1,0) @ 1 k/(k + 2)\ncentre rest\nend\n",                     /* names written out */
+        "rule (1,1)\n(2,1) k\n(1,2) k\n(2,2) @ 1 w\n(2,2) @ -1 w\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(j = 0: 1/4; else: (1/4 + cos(2*pi*j/k) + cos(4*pi*j/k)/2)/k)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(-2*j*pi/k*3)^2 + w\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(min(j, k - j) <= 1: 1/7; else: 2^-min(k - j, j))\ncentre rest\nend\n",
+        "rule (1,1)\n(1,1) @ j cos(pi*min(j, k - j)/k)/k\n(2,1) @ j 1/k\n(1,2) @ j 1/k\ncentre rest\nend\n",
+        "rule (1,0)\n(2,0) spectrum 1/(m + 1)\ncentre rest\nend\n",
+        "rule (2,2)\n(2,1) spectrum 2^-m\n(1,2) spectrum 2^-m\ncentre rest\nend\n",
+        "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ -1 w\n(1,1) rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
+    };
+    static const char *const no[] = {
+        "rule centre\nall (2,1) k/9\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\n(1,0) @ -1 1/7\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\ncentre rest\nend\n",
+        "rule (2,0)\n(1,1) k/8\n(1,1) @ 1 k/8\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) 1/8\n(1,0) @ -1 1/8\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 w\n(1,0) @ -1 rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 w\n(1,0) @ -1 v\ncentre rest\nend\n",                        /* two parameters may differ */
+        "rule (1,0)\n(1,0) @ j sin(2*pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/3)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/k^2)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(j = 1: 1/7; else: 0)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j min(j, k)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j mod(j, 2)/k\ncentre rest\nend\n",
+        "rule (2,0)\n(1,1) @ j 1/k\ncentre rest\nend\n",                                     /* -j becomes -1 - j */
+        "rule (1,0)\n(1,0) spectrum 1/2, cases(m = 1: 1/5; else: 0)\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) spectrum 1/2\ncentre rest\nend\n",
+        "rule (2,1)\n(1,1) rest\nend\n",
+        "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ 2 w\n(1,1) rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 4\n(1,0) @ 1 rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
+    };
+    static const char head[] = HEAD "let a = k/(k + 2)\nparameter w = [0, 1/9]\nparameter v = [0, 1/9]\n" MASK;
+    test_begin("language-mirror");
+    for (size_t i = 0; i < sizeof yes / sizeof *yes; i++)
+        check_mirror(true, yes[i], head);
+    for (size_t i = 0; i < sizeof no / sizeof *no; i++)
+        check_mirror(false, no[i], head);
+    check_mirror(true, "rule (1/2,1/2)\n(1/2,1/2) rest\n(3/2,1/2) 1/8\n(1/2,3/2) 1/8\n(1/2,1/2) @ 1 w\n(1/2,1/2) @ -1 w\nend\n",
+                 HEAD_DUAL "parameter w = 1/7\nmask symmetric\n(1/2,1/2) 1\nend\n");
+    check_mirror(false, "rule (1/2,1/2)\n(1/2,1/2) rest\n(1/2,1/2) @ 1 w\nend\n", HEAD_DUAL "parameter w = 1/7\nmask symmetric\n(1/2,1/2) 1\nend\n");
     test_end();
 }
 
@@ -399,6 +469,7 @@ int main(void)
     test_limits();
     test_conditions();
     test_sources();
+    test_mirror();
     test_compositions();
     return test_status();
 }

@@ -58,7 +58,7 @@ commands() {
   expect unknown-command 64 "unknown command 'proof'" proof
   expect unknown-option 64 '--verbose' --verbose
   expect help 0 'Usage: smoothcert COMMAND' --help
-  expect version 0 'certificate format 0' --version
+  expect version 0 'certificate format 1' --version
   expect version-name 0 'smoothcert ' --version
   expect prove-help 0 'Usage: smoothcert prove' prove --help
   expect schemes-help 0 'Usage: smoothcert schemes' schemes --help
@@ -77,7 +77,7 @@ usage_of_prove() {
   expect no-valence 64 'no valences given' prove loop
   expect value-missing 64 '--valence' prove loop --valence
   expect unknown-prove-option 64 '--fast' prove loop --valence 3 --fast
-  for list in '' 2 5..4 4097 3..4097 3,,4 '3,' all inf 8..inf 3..x 3-5 ' 3' 99999999999999999999; do
+  for list in '' 2 5..4 1000000001 3..1000000001 3..200000 3,,4 '3,' all inf 8..inf 3..x 3-5 ' 3' 99999999999999999999; do
     expect "valence-'$list'" 64 "--valence $list: " prove loop --valence "$list" --out none
   done
   for bits in '' 63 0 -64 8193 x 64x 1e3 99999999999999999999; do
