@@ -49,9 +49,9 @@ BIGFLOAT_SOURCES = \
   \
   bigfloat/interval.h \
   bigfloat/interval.c \
-  bigfloat/interval_self_test.c \
   bigfloat/interval_batch.h \
   bigfloat/interval_batch.c \
+  bigfloat/interval_self_test.c \
   \
   bigfloat/grid.h bigfloat/grid_internal.h \
   bigfloat/grid.c \

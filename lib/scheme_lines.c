@@ -129,6 +129,14 @@ status reader_sector_point(lattice *p, mesh_kind mesh, scheme_reader *r)
     return STATUS_OK;
 }
 
+status reader_count(scheme_reader *r, const formula *f)
+{
+    r->operations += f->size;
+    if (r->operations > SCHEME_MAX_OPERATIONS)
+        return diagnostic_set(r->complaint, f->line, f->column, "with this one the formulas of the file have more than %d operations, definitions written out", SCHEME_MAX_OPERATIONS);
+    return STATUS_OK;
+}
+
 /* The formula that fills the line up to `end`. */
 status reader_formula_until(formula **f, scheme_reader *r, size_t end, unsigned allowed)
 {
@@ -137,7 +145,7 @@ status reader_formula_until(formula **f, scheme_reader *r, size_t end, unsigned 
         return reader_expected(r, "a formula");
     status s = formula_read(f, r->line->text + r->at, end - r->at, r->line->line, r->line->column + r->at, &r->z->definitions, allowed, r->complaint);
     r->at = end;
-    return s;
+    return s == STATUS_OK ? reader_count(r, *f) : s;
 }
 
 status reader_formula(formula **f, scheme_reader *r, unsigned allowed)

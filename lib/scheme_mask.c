@@ -10,7 +10,24 @@ typedef struct {
     lattice point[MAX_MASK_POINTS];
     rational weight[MAX_MASK_POINTS];
     size_t count;
+    integer denominator; /* common to all weights */
 } terms;
+
+/* Masks are kept over a common denominator, which must stay within the limits, too. */
+static status add_denominator(terms *t, const integer *denominator, const scheme_reader *r)
+{
+    integer common, missing;
+    bool ok;
+    integer_init(&common);
+    integer_init(&missing);
+    ok = integer_gcd(&common, &t->denominator, denominator) && integer_divexact(&missing, denominator, &common)
+         && integer_mul(&t->denominator, &t->denominator, &missing);
+    integer_clear(&common);
+    integer_clear(&missing);
+    if (ok && integer_bits(&t->denominator) > EXACT_MAX_BITS)
+        return reader_complain(r, "with this one the weights of the mask have a common denominator of more than %s bits", "16384");
+    return ok ? STATUS_OK : STATUS_NO_MEMORY;
+}
 
 static status add_term(terms *t, lattice p, const rational *weight, const scheme_reader *r)
 {
@@ -68,6 +85,8 @@ static status read_mask_line(terms *t, bool symmetric, scheme_reader *r)
     rational_init(&weight);
     if (s == STATUS_OK)
         s = formula_exact_rational(&weight, f, &nowhere, r->complaint);
+    if (s == STATUS_OK)
+        s = add_denominator(t, &weight.denominator, r);
     if (s == STATUS_OK)
         s = symmetric ? add_orbit(t, mesh, p, &weight, r) : add_term(t, p, &weight, r);
     rational_clear(&weight);
@@ -151,6 +170,8 @@ status read_mask(scheme_reader *r)
     terms *t = calloc(1, sizeof *t);
     if (!t)
         return STATUS_NO_MEMORY;
+    integer_init(&t->denominator);
+    integer_set_si(&t->denominator, 1);
     while (s == STATUS_OK) {
         reader_next_line(r);
         if (reader_take_word(r, "end"))
@@ -172,6 +193,7 @@ status read_mask(scheme_reader *r)
     }
     for (size_t i = 0; i < t->count; i++)
         rational_clear(&t->weight[i]);
+    integer_clear(&t->denominator);
     free(t);
     return s;
 }

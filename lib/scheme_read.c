@@ -79,7 +79,7 @@ static status read_body(scheme_reader *r)
 
 status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_settings *settings, diagnostic *d)
 {
-    scheme_reader r = {z, 0, NULL, 0, settings, d};
+    scheme_reader r = {z, 0, NULL, 0, 0, settings, d};
     status s = text_read(&z->source, bytes, length, d);
     if (s != STATUS_OK || (s = read_name(&r)) != STATUS_OK || (s = read_mesh(&r)) != STATUS_OK || (s = read_dilation(&r)) != STATUS_OK
         || (s = read_vertices(&r)) != STATUS_OK || (s = read_definitions(&r)) != STATUS_OK || (s = read_body(&r)) != STATUS_OK)

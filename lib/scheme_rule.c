@@ -104,7 +104,7 @@ static status read_when(rule *z, scheme_reader *r)
     status s = formula_read_condition(&z->condition, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column + r->at,
                                       &r->z->definitions, FORMULA_ON_VALENCE, r->complaint);
     r->at = r->line->length;
-    return s;
+    return s == STATUS_OK ? reader_count(r, z->condition) : s;
 }
 
 static status read_rule_body(rule *z, scheme_reader *r)

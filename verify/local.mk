@@ -13,7 +13,7 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/escalate.h verify/escalate.c \
   verify/prove_output.h verify/prove_output.c \
-  verify/archive.h verify/archive.c \
+  verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
   verify/valences.h verify/valences.c \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \

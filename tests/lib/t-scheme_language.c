@@ -142,6 +142,31 @@ static void test_intervals(void)
     test_end();
 }
 
+/* Whatever a file asks for, it is answered at once: these two would take minutes. */
+static void test_work(void)
+{
+    char text[20000];
+    size_t n = (size_t)sprintf(text, HEAD_QUAD "let a = (3/7)^2500\nlet b = a");
+    test_begin("language-work");
+    for (int i = 0; i < 150; i++)
+        n += (size_t)sprintf(text + n, "*a/a");
+    n += (size_t)sprintf(text + n, "\nlet c = b/a\nmask\n");
+    for (int a = -8; a <= 8; a++)
+        for (int b = -8; b <= 8; b++)
+            n += (size_t)sprintf(text + n, "(%d,%d) c\n", a, b);
+    sprintf(text + n, "end\n");
+    check_complaint("operations", text, NULL, 16, 9, "with this one the formulas of the file have more than 20000 operations, definitions written out");
+    n = (size_t)sprintf(text, HEAD_QUAD "mask\n");
+    for (int a = -8; a <= 8; a++)
+        for (int b = -8; b <= 8; b++)
+            n += (size_t)sprintf(text + n, "(%d,%d) 1/%d^1200\n", a, b, 1001 + 17 * a + b);
+    sprintf(text + n, "end\n");
+    check_complaint("denominators", text, NULL, 7, 1, "with this one the weights of the mask have a common denominator of more than 16384 bits");
+    check_complaint("a composition", HEAD_QUAD "let b = 1/4 + 1/7^1400\ncompose\nrefine\nrepeat 33: smooth b, 1/2\nend\n", NULL, 9, 1,
+                    "the weights of the composed mask have a common denominator of more than 16384 bits");
+    test_end();
+}
+
 static void test_limits(void)
 {
     char text[9000], line[1000], name[40];
@@ -467,6 +492,7 @@ int main(void)
     test_definitions();
     test_intervals();
     test_limits();
+    test_work();
     test_conditions();
     test_sources();
     test_mirror();
