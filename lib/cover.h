@@ -20,6 +20,7 @@ typedef struct {
     frequencies open;    /* if not: from the first to the last frequency that was left open */
     bool diverges;       /* a hint: a single block has certainly no eigenvalues that small */
     long tries;          /* of boxes */
+    bool exhausted;      /* all that the limits allow: more tries might prove more */
 } cover_answer;
 
 /* How long cover_search looks. */

@@ -21,7 +21,8 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_test.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
-  verify/spectrum_blocks.c \
+  verify/spectrum_blocks.h verify/spectrum_blocks.c \
+  verify/spectrum_survey.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
