@@ -33,7 +33,8 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
   verify/uniform.c \
-  verify/spectrum_blocks.c \
+  verify/spectrum_blocks.h verify/spectrum_blocks.c \
+  verify/spectrum_survey.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
