@@ -368,6 +368,7 @@ static void test_mirror(void)
         "rule (1,1)\n(1,1) @ j cos(pi*min(j, k - j)/k)/k\n(2,1) @ j 1/k\n(1,2) @ j 1/k\ncentre rest\nend\n",
         "rule (1,0)\n(2,0) spectrum 1/(m + 1)\ncentre rest\nend\n",
         "rule (2,2)\n(2,1) spectrum 2^-m\n(1,2) spectrum 2^-m\ncentre rest\nend\n",
+        "rule (1,0) when k = 4\n(1,0) @ 2 w\n(1,0) @ 1 v\n(1,0) @ 3 v\ncentre rest\nend\n",
         "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ -1 w\n(1,1) rest\nend\n",
         "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
     };
@@ -391,6 +392,9 @@ static void test_mirror(void)
         "rule (1,0)\n(1,0) spectrum 1/2, cases(m = 1: 1/5; else: 0)\ncentre rest\nend\n",
         "rule (1,1)\n(1,0) spectrum 1/2\ncentre rest\nend\n",
         "rule (2,1)\n(1,1) rest\nend\n",
+        "rule (1,0) when k = 5\n(1,0) @ 2 w\ncentre rest\nend\n",
+        "rule (1,0) when k <= 4\n(1,0) @ 2 w\ncentre rest\nend\n",
+        "rule (1,0) when k = 4 and k = 4\n(1,0) @ 2 w\ncentre rest\nend\n",
         "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ 2 w\n(1,1) rest\nend\n",
         "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 4\n(1,0) @ 1 rest\nend\n",
         "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
