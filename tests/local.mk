@@ -90,6 +90,7 @@ GENERIC_TESTS = \
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
+  tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \

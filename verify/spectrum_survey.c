@@ -185,13 +185,13 @@ static status find_lower(survey *z)
 
 /* ---- the sides ---- */
 
-static const cover_limits strict = {400, 0, 10000}, lenient = {800, 40, 10000};
+static const cover_limits strict = {400, 0, 10000, false}, lenient = {800, 40, 10000, false};
 
 /* Are all eigenvalues of the blocks smaller than `bound`, thin? */
 static status prove_below(bool *proved, frequencies *open, bool *exhausted, survey *z, frequencies m, const number *bound, const cover_limits *limits)
 {
     cover_list list;
-    cover_answer answer = {BLOCK_OK, true, {0, 0}, false, 0, false};
+    cover_answer answer = {.status = BLOCK_OK, .proved = true};
     number scale;
     number_init(&scale);
     cover_list_init(&list);
@@ -359,7 +359,7 @@ static status prove_side(survey *z, long goal)
 static status add_range(survey *z, frequencies m, bool bounds)
 {
     static const double slack[] = {0x1p-10, 0x1p-5};
-    static const cover_limits quick = {100, 0, 10000};
+    static const cover_limits quick = {100, 0, 10000, false};
     double radius = 0, upper = INFINITY;
     status result = STATUS_OK;
     if (z->list->ordered)
