@@ -16,15 +16,47 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
 
 /* ---- what several tests need ---- */
 
-/* The frequency was last set to that of the last block: it has to be 1 again. */
+/* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
+   B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
+static number *plain_eigenvector(const analysis *a)
+{
+    int n = a->dominant.n;
+    const number *eigenvalue = &a->box[a->order];
+    number *z = number_array_new((size_t)n + 1);
+    number rest;
+    if (!z)
+        return NULL;
+    number_init(&rest);
+    for (int j = 1; j < n; j++)
+        number_addmul(&z[0], &a->dominant.entry[j], &a->box[j - 1], a->prec);
+    number_one(&rest);
+    number_sub(&rest, eigenvalue, &rest, a->prec);
+    number_div(&z[0], &z[0], &rest, a->prec);
+    for (int j = 1; j < n; j++)
+        number_add(&z[j], &a->box[j - 1], &z[0], a->prec);
+    number_set(&z[n], eigenvalue);
+    number_clear(&rest);
+    return z;
+}
+
+/* The frequency was last set to that of the last block: it has to be that of L again. */
 outcome analysis_make_net(analysis *a)
 {
+    long m = a->choices->frequency;
     diagnostic d;
+    number *plain = NULL;
+    block_status made = BLOCK_NO_MEMORY;
     if (a->net_made)
         return OUTCOME_TRUE;
-    if (scheme_numbers_set_frequency(&a->numbers, 1, &a->dominant.twist, &d) != STATUS_OK)
+    if (scheme_numbers_set_frequency(&a->numbers, m, m ? &a->dominant.twist : NULL, &d) != STATUS_OK)
         return OUTCOME_NO_MEMORY;
-    switch (charnet_make(&a->net, &a->dominant, a->box, &a->numbers, a->plan->problem->geometry.rings)) {
+    if (m == 0)
+        plain = plain_eigenvector(a);
+    if (m > 0 || plain)
+        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, &a->numbers, a->plan->problem->geometry.rings);
+    if (plain)
+        number_array_free(plain, (size_t)a->dominant.n + 1);
+    switch (made) {
     case BLOCK_OK:
         a->net_made = true;
         return OUTCOME_TRUE;
@@ -129,7 +161,10 @@ typedef struct {
     test_name name;
     const char *words;
     outcome (*run)(analysis *);
+    unsigned claims; /* that need it: 1 << claim_kind */
 } analysis_test;
+
+enum { C1 = 1 << CLAIM_C1, FREQUENCY = 1 << CLAIM_FREQUENCY, NOT_C0 = 1 << CLAIM_NOT_C0, FOLD = 1 << CLAIM_FOLD, ALL = C1 | FREQUENCY | NOT_C0 | FOLD };
 
 /* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
 static bool is_still_true(const analysis *a, test_name name)
@@ -175,12 +210,14 @@ static outcome run_uniform(analysis *a)
 static outcome run_tests(analysis *a)
 {
     static const analysis_test tests[] = {
-        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair},
-        {TEST_SPECTRUM, "spectrum", test_spectrum}, {TEST_REGULARITY, "regularity", test_regularity},
-        {TEST_INJECTIVITY, "injectivity", test_injectivity},
+        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ALL}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ALL},
+        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD}, {TEST_REGULARITY, "regularity", test_regularity, C1},
+        {TEST_INJECTIVITY, "injectivity", test_injectivity, C1}, {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
+        if (!(tests[i].claims & 1U << a->choices->claim))
+            continue;
         if (tests[i].name == TEST_EIGENPAIR) {
             if (a->choices->plainly_regular)
                 break;
