@@ -59,6 +59,7 @@ outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, co
         o = from_block(charnet_windows_make(&windows[made], &a->net, &p->geometry, which, elements, count, a->prec));
         task->windows[made] = &windows[made];
         task->mask[made] = &a->mask[which];
+        task->patch[made] = p->polynomial ? &a->patch[which] : NULL;
         task->stability[made] = a->choices->stability[which].bound;
     }
     if (o == OUTCOME_TRUE)
@@ -111,7 +112,7 @@ static outcome evaluate_scheme(analysis *a)
     const problem *p = a->plan->problem;
     diagnostic d;
     for (int i = 0; i < RING_NETS; i++)
-        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec))
+        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], a->prec)))
             return OUTCOME_NO_MEMORY;
     switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
     case STATUS_OK:
@@ -209,9 +210,12 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
     o = run_tests(&a);
     if (o == OUTCOME_TRUE && !describe(&a))
         o = OUTCOME_NO_MEMORY;
-    for (int i = 0; i < RING_NETS; i++)
+    for (int i = 0; i < RING_NETS; i++) {
         if (a.mask[i].mask)
             mask_numbers_free(&a.mask[i]);
+        if (a.patch[i].exact)
+            patch_numbers_free(&a.patch[i]);
+    }
     if (a.box)
         number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
     if (a.matrix)

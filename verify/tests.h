@@ -24,6 +24,7 @@ typedef struct {
     long prec;
     scheme_numbers numbers;
     mask_numbers mask[RING_NETS];
+    patch_numbers patch[RING_NETS]; /* if the problem has polynomials */
     block dominant;    /* B(w_1) */
     number *matrix;    /* as a real matrix, order x order */
     int order;
