@@ -72,38 +72,60 @@ static outcome from_block(block_status s)
     return s == BLOCK_OK ? OUTCOME_TRUE : s == BLOCK_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
 }
 
-outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count)
+/* The task with everything that is the same for all tests; windows[0..*made) are the caller's to free. */
+static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *windows, int *made, const element *elements, int count)
 {
     const problem *p = a->plan->problem;
-    charnet_windows windows[ADAPTIVE_MAX_NETS];
-    adaptive_report report = {0, 0, NAN};
-    attempt *log = findings_last(a->findings);
     outcome o = analysis_make_net(a);
-    int made = 0;
     task->geometry = &p->geometry;
     task->elements = elements;
     task->count = count;
     task->replay = a->replay;
     task->max_level = a->plan->max_level;
     task->deadline = a->plan->deadline;
-    for (; o == OUTCOME_TRUE && made < task->nets; made++) {
-        int which = task->which[made];
-        o = from_block(charnet_windows_make(&windows[made], &a->net, &p->geometry, which, elements, count, a->prec));
-        task->windows[made] = &windows[made];
-        task->mask[made] = &a->mask[which];
-        task->stability[made] = a->choices->stability[which].bound;
+    for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
+        int i = *made, which = task->which[i];
+        o = from_block(charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec));
+        task->windows[i] = &windows[i];
+        task->mask[i] = &a->mask[which];
+        task->patch[i] = p->polynomial ? &a->patch[which] : NULL;
+        task->stability[i] = a->choices->stability[which].bound;
     }
+    return o;
+}
+
+static outcome note_report(analysis *a, outcome o, const adaptive_report *report)
+{
+    attempt *log = findings_last(a->findings);
+    log->max_level = a->plan->max_level;
+    log->level = report->level;
+    log->elements = report->examined;
+    log->bound = report->margin;
+    return o == OUTCOME_STOPPED ? findings_explain(a->findings, o, "no time left") : o;
+}
+
+/* By trees in `word`, or, if there is none, one witness. */
+static outcome run_adaptive(analysis *a, adaptive_task *task, tree_word *word, witness_choice *witness, const element *elements, int count)
+{
+    charnet_windows windows[ADAPTIVE_MAX_NETS];
+    adaptive_report report = {0, 0, NAN};
+    int made;
+    outcome o = prepare(a, task, windows, &made, elements, count);
     if (o == OUTCOME_TRUE)
-        o = adaptive_run(&report, word, task, a->prec);
+        o = word ? adaptive_run(&report, word, task, a->prec) : adaptive_seek(&report, witness, task, a->prec);
     for (int i = 0; i < made; i++)
         charnet_windows_free(&windows[i]);
-    log->max_level = a->plan->max_level;
-    log->level = report.level;
-    log->elements = report.examined;
-    log->bound = report.margin;
-    if (o == OUTCOME_STOPPED)
-        findings_explain(a->findings, o, "no time left");
-    return o;
+    return note_report(a, o, &report);
+}
+
+outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count)
+{
+    return run_adaptive(a, task, word, NULL, elements, count);
+}
+
+outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count)
+{
+    return run_adaptive(a, task, NULL, witness, elements, count);
 }
 
 /* ---- the regular part ---- */
@@ -143,7 +165,7 @@ static outcome evaluate_scheme(analysis *a)
     const problem *p = a->plan->problem;
     diagnostic d;
     for (int i = 0; i < RING_NETS; i++)
-        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec))
+        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], a->prec)))
             return OUTCOME_NO_MEMORY;
     switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
     case STATUS_OK:
@@ -213,6 +235,7 @@ static outcome run_tests(analysis *a)
         {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ALL}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ALL},
         {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD}, {TEST_REGULARITY, "regularity", test_regularity, C1},
         {TEST_INJECTIVITY, "injectivity", test_injectivity, C1}, {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
+        {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0}, {TEST_WITNESS, "fold", test_fold, FOLD},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
@@ -267,9 +290,12 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
     o = run_tests(&a);
     if (o == OUTCOME_TRUE && !describe(&a))
         o = OUTCOME_NO_MEMORY;
-    for (int i = 0; i < RING_NETS; i++)
+    for (int i = 0; i < RING_NETS; i++) {
         if (a.mask[i].mask)
             mask_numbers_free(&a.mask[i]);
+        if (a.patch[i].exact)
+            patch_numbers_free(&a.patch[i]);
+    }
     if (a.box)
         number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
     if (a.matrix)

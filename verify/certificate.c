@@ -171,7 +171,7 @@ static void read_tree(reader *r, tree_word *z, const char *name)
     expect(r, name);
     length = next_word(r, &word);
     for (size_t i = 0; !r->failed && i < length; i++) {
-        if (word[i] != '0' && word[i] != '1')
+        if (!tree_is_letter(word[i]))
             r->failed = true;
         else if (!tree_put(z, word[i]))
             r->no_memory = r->failed = true;

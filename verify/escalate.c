@@ -125,7 +125,7 @@ static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspi
     o = try_to_prove(z, c, plan, precision);
     if (o == OUTCOME_TRUE || o == OUTCOME_STOPPED || o == OUTCOME_NO_MEMORY || o == OUTCOME_BAD_INPUT || !plan->found[TEST_REGULAR_COMPLEX])
         return o;
-    s->folds = plan->found[TEST_SPECTRUM] && o == OUTCOME_FALSE;
+    s->folds = plan->found[TEST_SPECTRUM] && !plan->found[TEST_REGULARITY];
     refuted = try_to_refute(z, s, plan, precision);
     return refuted == OUTCOME_FAIL ? o : refuted;
 }

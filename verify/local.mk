@@ -31,6 +31,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/regularity_test.c \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
+  verify/fold_test.c \
   verify/candidates.h verify/candidates.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \

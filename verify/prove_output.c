@@ -62,7 +62,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
         else
-            printf("%s; L = %s, others < %.9f, %s", d->reason, d->findings.eigenvalue, round_up(d->findings.runner_up), system);
+            printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
         describe_system(system, sizeof system, a->system, a->precision);

@@ -14,6 +14,9 @@
 #define test_regularity NUMBER_NAME(test_regularity)
 #define test_injectivity NUMBER_NAME(test_injectivity)
 #define test_zero_free NUMBER_NAME(test_zero_free)
+#define test_nonzero NUMBER_NAME(test_nonzero)
+#define test_fold NUMBER_NAME(test_fold)
+#define analysis_seek NUMBER_NAME(analysis_seek)
 
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
@@ -28,6 +31,7 @@ typedef struct {
     long prec;
     scheme_numbers numbers;
     mask_numbers mask[RING_NETS];
+    patch_numbers patch[RING_NETS]; /* if the problem has polynomials */
     block dominant;    /* the block of L: B(w_1), unless the claim says otherwise */
     number *matrix;    /* as a real matrix, order x order */
     int order;
@@ -51,6 +55,11 @@ outcome test_injectivity(analysis *a);
 /* The eigenfunction has no zero on the ring's outer curve. */
 outcome test_zero_free(analysis *a);
 
+/* The eigenfunction is not 0 somewhere on the outer curve. */
+outcome test_nonzero(analysis *a);
+/* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
+outcome test_fold(analysis *a);
+
 /* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
 outcome analysis_make_block(block *b, analysis *a, long first, long last);
 /* The control net of the characteristic map, if it is not made yet. */
@@ -58,6 +67,10 @@ outcome analysis_make_net(analysis *a);
 /* Subdivides elements as the task says, with the nets of which[]; fills in the parts of the task that are the same for
    all tests, and the figures of the attempt. */
 outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count);
+
+/* Looks for an element, or some descendant of one, where the task's quantity is certainly positive, or follows the
+   witness that there is. */
+outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
 
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
    OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */
