@@ -6,7 +6,7 @@
 
 #include "symmetry.h"
 
-enum { EXACT_GRID = 64 };
+enum { CONSTANT_GRID = 64 };
 
 /* Formulas
  * -------- */
@@ -27,7 +27,7 @@ static bool is_constant(rational *out, const struct node *f, const struct langua
 
     if (f->meaning != 0)
         return false;
-    e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
     v = evaluate(f, &e);
     *out = v.q;
     return v.kind == RATIONAL;
@@ -75,10 +75,10 @@ static bool is_monomial(const struct node *f, char join, struct value *constant,
         return true;
     }
     if (f->meaning == 0) {
-        struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+        struct environment e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
         struct value v = evaluate(f, &e);
 
-        value_apply(constant, join, &v, f, EXACT_GRID);
+        value_apply(constant, join, &v, f, CONSTANT_GRID);
         return true;
     }
     if (f->kind != NODE_PRODUCT || join != '*')

@@ -257,6 +257,15 @@ static struct value power_of_range(struct value base, struct value exponent,
                                    whole_power(base.q, high < -most ? -most : high, g)));
 }
 
+/* Has q^n certainly more than 16,384 bits?  A number of b bits is at least 2^(b-1). */
+static bool is_too_long(rational q, integer n)
+{
+    long num = integer_bits(q.num), den = integer_bits(q.den);
+    integer bits = integer_mul(n, integer_from((num > den ? num : den) - 1));
+
+    return integer_compare(bits, integer_from(RATIONAL_BITS)) >= 0;
+}
+
 static struct value power(struct value base, struct value exponent, bool minus,
                           const struct node *at, int g)
 {
@@ -275,7 +284,9 @@ static struct value power(struct value base, struct value exponent, bool minus,
         return one;
     minus = exponent.q.num.sign < 0;
     exponent.q.num = integer_absolute(exponent.q.num);
-    if (base.kind == RATIONAL && !base.affine) {
+    if (base.kind == RATIONAL && !base.affine && is_too_long(base.q, exponent.q.num)) {
+        return undefined(at, "it is too long", true);
+    } else if (base.kind == RATIONAL && !base.affine) {
         out = value_from(rational_power(base.q, exponent.q.num));
     } else {
         if (!integer_get_small(&n, exponent.q.num, MAX_EXPONENT))
