@@ -109,6 +109,7 @@ EXTRA_DIST += \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
   tests/certificates/schemes \
   tests/certificates/accept \
+  tests/certificates/accept-1 \
   tests/certificates/reject
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)

@@ -36,7 +36,6 @@ struct statement {
     struct derived_masks derived;
     struct mask q[3];                              /* a, 2 a_1, 2 a_2 */
     struct proved proved;
-    struct mark mark;                              /* above all this */
 };
 
 /* Section 3
@@ -226,11 +225,14 @@ static struct eigenpair check_spectrum(const struct block *block,
         struct mark mark = scratch_mark();
         struct valence v = *block->v;
         struct block other;
+        int64_t first = c->block[i].first, last = c->block[i].last;
 
         if (i == 1)
             continue;
         v.reference.line = c->block[i].line;
-        block_prepare(&other, &v, c->real, c->block[i].first, c->block[i].last);
+        if (first > 1 && first == last && !valence_has_values(&v, first))
+            first--;                               /* a box of its own is too long */
+        block_prepare(&other, &v, c->real, first, last);
         matrix = block_matrix(&other);
         spectrum_prove_rest(matrix, other.size, c->grid, &pair, &c->block[i], c);
         scratch_release(mark);
@@ -291,24 +293,27 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
 struct verified check_certificate(struct statement *s, int64_t k, const char *file)
 {
     struct certificate *c;
+    struct verified out;
+    struct mark mark;
     size_t size;
     char *bytes;
 
-    if (s->is_read)
-        scratch_release(s->mark);
-    else
+    if (!s->is_read)
         read_statement(s);
+    mark = scratch_mark();
     c = allocate(1, sizeof *c);
     bytes = text_read_file(file, MAX_CERTIFICATE_BYTES, &size);
     certificate_read_subject(c, file, bytes, size);
     compare_subject(c, s, k);
     if (!s->is_read) {
         read_scheme(s);
-        s->mark = scratch_mark();
+        mark = scratch_mark();
     }
     if (c->version == 0 && s->scheme.language.beyond_0.message != NULL)
         cannot_check_at(s->file, s->scheme.language.beyond_0.line,
                         s->scheme.language.beyond_0.column, "%s",
                         s->scheme.language.beyond_0.message);
-    return check_choices(s, c);
+    out = check_choices(s, c);
+    interval_keep(mark, &out.eigenvalue, 1);
+    return out;
 }

@@ -18,7 +18,7 @@ struct verified {
 };
 
 /* Verifies that the certificate in the file proves the scheme C1 at valence k:
- * returns only if everything is proved.  What it returns lives until the next call. */
+ * returns only if everything is proved. */
 struct verified check_certificate(struct statement *s, int64_t k, const char *file);
 
 /* The name of the scheme, once a certificate has been checked. */
