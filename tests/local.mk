@@ -94,6 +94,7 @@ SCRIPT_TESTS = \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
+  tests/verify/cases.sh \
   tests/verify/cli.sh \
   tests/verify/regular.sh
 
@@ -105,7 +106,8 @@ EXTRA_DIST += \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
   tests/certificates/schemes \
   tests/certificates/accept \
-  tests/certificates/reject
+  tests/certificates/reject \
+  tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
