@@ -35,10 +35,21 @@ static void free_rationals(rational *a, size_t count)
     free(a);
 }
 
+bool bernstein_get(rational *z, const bernstein *b, element_type type, int row, int column)
+{
+    int p = b->degree[0], q = b->degree[1], across = b->labels[type][1];
+    if (b->entry[type])
+        return rational_set(z, &b->entry[type][row * b->columns[type] + column]);
+    int rows = type == ELEMENT_ALONG_SECOND ? 1 : p + 1; /* for each j */
+    return rational_mul(z, &b->spline[0][(p - column / across) * (p + 1) + row % rows], &b->spline[1][(q - column % across) * (q + 1) + row / rows]);
+}
+
 void bernstein_clear(bernstein *z)
 {
     for (int t = 0; t < ELEMENT_TYPES; t++)
         free_rationals(z->entry[t], (size_t)z->rows[t] * (size_t)z->columns[t]);
+    for (int d = 0; d < 2; d++)
+        free_rationals(z->spline[d], (size_t)(z->degree[d] + 1) * (size_t)(z->degree[d] + 1));
     bernstein_init(z);
 }
 
@@ -156,48 +167,30 @@ static bool make_spline(rational **c, int n)
     return ok;
 }
 
-/* Coefficient i of the B-spline's piece l, 0 if there is no such piece. */
-static const rational *spline_at(const rational *c, int n, int l, int i)
+/* All of the square's polynomial, or one of its sides.  The B-spline of the degree n has n + 1 pieces, which are those of the
+   labels n, n - 1 ... in this order; at a knot the piece 0 vanishes, and limits jump if n = 0. */
+static void fill_square(bernstein *z, element_type type)
 {
-    return l < 0 || l > n ? NULL : &c[l * (n + 1) + i];
+    int across = type == ELEMENT_ALONG_FIRST ? 1 : type == ELEMENT_ALONG_SECOND ? 0 : -1;
+    if (across >= 0 && z->degree[across] == 0)
+        return;
+    z->rows[type] = z->columns[type] = 1;
+    for (int d = 0; d < 2; d++) {
+        z->labels[type][d] = z->degree[d] + (d != across);
+        z->columns[type] *= z->labels[type][d];
+        z->rows[type] *= d == across ? 1 : z->degree[d] + 1;
+    }
 }
 
-/* Rows i = first0 .. last0, j = first1 .. last1 of the square's polynomial: all of it, or one of its sides. */
-static bool fill_square(bernstein *z, element_type type, const factors *f, const element_window *w, const rational *spline[2])
+static bool make_squares(bernstein *z)
 {
-    int p = z->degree[0], q = z->degree[1];
-    int last0 = type == ELEMENT_ALONG_SECOND ? 0 : p, last1 = type == ELEMENT_ALONG_FIRST ? 0 : q;
-    bool ok;
-    if ((type == ELEMENT_ALONG_SECOND && p == 0) || (type == ELEMENT_ALONG_FIRST && q == 0))
-        return true; /* limits jump there */
-    z->rows[type] = (last0 + 1) * (last1 + 1);
-    z->columns[type] = w->count;
-    z->entry[type] = new_rationals((size_t)z->rows[type] * (size_t)w->count);
-    ok = z->entry[type] != NULL;
-    for (int row = 0; row < z->rows[type]; row++)
-        for (int y = 0; ok && y < w->count; y++) {
-            const rational *a = spline_at(spline[0], p, -w->point[y].a - f->shift.a, row % (last0 + 1));
-            const rational *b = spline_at(spline[1], q, -w->point[y].b - f->shift.b, row / (last0 + 1));
-            if (a && b)
-                ok = rational_mul(&z->entry[type][row * w->count + y], a, b);
-        }
-    return ok;
-}
-
-static bool make_squares(bernstein *z, const factors *f, const element_stencil *stencil)
-{
-    rational *spline[2] = {NULL, NULL};
-    bool ok = true;
-    for (int d = 0; ok && d < 2; d++)
-        ok = make_spline(&spline[d], z->degree[d]);
-    for (int t = 0; ok && t < ELEMENT_TYPES; t++)
-        if (element_is_of((element_type)t, MESH_QUAD)) {
-            const rational *both[2] = {spline[0], spline[1]};
-            ok = fill_square(z, (element_type)t, f, &stencil->window[t], both);
-        }
     for (int d = 0; d < 2; d++)
-        free_rationals(spline[d], (size_t)(z->degree[d] + 1) * (size_t)(z->degree[d] + 1));
-    return ok;
+        if (!make_spline(&z->spline[d], z->degree[d]))
+            return false;
+    for (int t = 0; t < ELEMENT_TYPES; t++)
+        if (element_is_of((element_type)t, MESH_QUAD))
+            fill_square(z, (element_type)t);
+    return true;
 }
 
 /* ---- triangles ---- */
@@ -385,5 +378,5 @@ bool bernstein_make(bernstein *z, bool *found, mesh_kind mesh, const laurent *ma
         z->degree[0] = z->degree[1] = 0;
         return true;
     }
-    return mesh == MESH_TRIANGLE ? make_triangles(z, &f, stencil) : make_squares(z, &f, stencil);
+    return mesh == MESH_TRIANGLE ? make_triangles(z, &f, stencil) : make_squares(z);
 }

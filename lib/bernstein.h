@@ -13,15 +13,22 @@
 
 #include "element.h"
 
-/* The largest degree in one direction on squares, the largest total degree on triangles. */
+/* The largest degree in one direction on squares, the largest total degree on triangles (verify/certificate.md, section 7,
+   on the degrees of values). */
 #define BERNSTEIN_MAX_DEGREE 15
 
 typedef struct {
     int degree[2];                  /* along e1 and e2; on triangles both are the total degree */
     int rows[ELEMENT_TYPES];        /* how many coefficients; 0: no element of the mesh, or a segment on which limits jump */
     int columns[ELEMENT_TYPES];     /* the points of the window, in its order */
-    rational *entry[ELEMENT_TYPES]; /* rows x columns: what a value in the window contributes to a coefficient */
+    rational *entry[ELEMENT_TYPES]; /* triangles: rows x columns; what a value in the window contributes to a coefficient */
+    rational *spline[2];            /* squares: the same along e1 and along e2; see below */
+    int labels[ELEMENT_TYPES][2];   /* squares: the window is a rectangle of so many points along e1 and e2 */
 } bernstein;
+
+/* On squares values contribute to coefficients by products: if n = degree[d] and the window has the labels 0, 1 ... along
+   e_(d+1), then spline[d][(n - label) (n + 1) + i] is the factor of direction d in what a value with that label
+   contributes to the coefficient i. */
 
 void bernstein_init(bernstein *z);
 void bernstein_clear(bernstein *z);
@@ -30,9 +37,7 @@ void bernstein_clear(bernstein *z);
    too large; z is then 0.  false: no memory. */
 BIGFLOAT_MUST_USE bool bernstein_make(bernstein *z, bool *found, mesh_kind mesh, const laurent *mask, const element_stencil *stencil);
 
-static inline const rational *bernstein_at(const bernstein *z, element_type type, int row, int column)
-{
-    return &z->entry[type][row * z->columns[type] + column];
-}
+/* z = what a value in the window contributes to a coefficient. */
+BIGFLOAT_MUST_USE bool bernstein_get(rational *z, const bernstein *b, element_type type, int row, int column);
 
 #endif

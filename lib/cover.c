@@ -17,8 +17,8 @@ static spectral_answer contract(const number *matrix, const number *scale, int s
     return sharpen ? spectral_contraction_sharp(matrix, scale, size, limit, prec) : spectral_contraction(matrix, scale, size, least, limit, prec);
 }
 
-/* The one proof: the blocks of the frequencies m, squared at least `least` and at most `limit` times. */
-static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, bool sharpen, diagnostic *d)
+/* The blocks of the frequencies m, squared at least `least` and at most `limit` times. */
+static box_answer prove_range(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, bool sharpen, diagnostic *d)
 {
     box_answer z = {BLOCK_OK, {TRUTH_UNKNOWN, 0, false, INFINITY}};
     block b;
@@ -37,6 +37,20 @@ static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number
     if (z.status == BLOCK_OK && z.answer.contracts == TRUTH_FALSE)
         z.status = BLOCK_NO_MEMORY;
     block_free(&b);
+    return z;
+}
+
+/* The one proof.  A weight may have too long an exact value at one frequency, such as 2^-m, and an enclosure over two of
+   them; what is proved of both holds for one. */
+static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, bool sharpen, diagnostic *d)
+{
+    box_answer z = prove_range(numbers, m, scale, least, limit, sharpen, d);
+    if (z.status == BLOCK_BAD_INPUT && m.first == m.last && m.first > 1) {
+        diagnostic unused;
+        box_answer two = prove_range(numbers, (frequencies){m.first - 1, m.last}, scale, least, limit, sharpen, &unused);
+        if (two.status == BLOCK_OK)
+            return two;
+    }
     return z;
 }
 
@@ -85,7 +99,7 @@ static void after_failure(stride *s, long width)
 
 cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_limits *limits, diagnostic *d)
 {
-    cover_answer z = {BLOCK_OK, true, {0, 0}, false, 0, 0, 0};
+    cover_answer z = {.status = BLOCK_OK, .proved = true};
     stride s = {1, 2, false};
     long failures = 0, skip = 1; /* failures in a row leave more and more open */
     while (m.first <= m.last) {
@@ -101,6 +115,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
             after_failure(&s, width);
             continue;
         }
+        z.exhausted = z.tries >= limits->tries && !proved;
         if (proved) {
             after_success(&s, width);
             note_radius(&z, &b, here);
@@ -128,7 +143,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
 
 cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d)
 {
-    cover_answer z = {BLOCK_OK, true, {0, 0}, false, 0, 0, 0};
+    cover_answer z = {.status = BLOCK_OK, .proved = true};
     if (!cover_list_partitions(list, m)) {
         leave_open(&z, m);
         return z;

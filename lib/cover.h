@@ -22,6 +22,7 @@ typedef struct {
     double radius;       /* all eigenvalues of the boxes that are proved are at most radius/scale in modulus, radius <= 1 */
     long largest;        /* the first frequency of the box for which radius was needed */
     long tries;          /* of boxes */
+    bool exhausted;      /* all that the limits allow: more tries might prove more */
 } cover_answer;
 
 /* How long cover_search looks. */

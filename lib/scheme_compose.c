@@ -172,6 +172,8 @@ static status add_repeated(scheme_reader *r)
     status s;
     while (colon < r->line->length && r->line->text[colon] != ':')
         colon++;
+    if (colon == r->line->length)
+        return reader_complain(r, "expected 'repeat COUNT: smooth ALPHA, BETA'%s, and there is no ':'", "");
     rational_init(&value);
     s = reader_formula_until(&count, r, colon, 0);
     if (s == STATUS_OK)

@@ -1,6 +1,7 @@
 /* scheme_mask.c: masks, their orbits, and what must hold for them. */
 #include "scheme_reader.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,6 +95,20 @@ static status read_mask_line(terms *t, bool symmetric, scheme_reader *r)
     return s;
 }
 
+/* Of the new points with a, b even or odd, as the bits of `class` say.  On dual meshes every square has four new points, and
+   their offsets 1/2, 5/2 ... and -1/2, 3/2 ... from old ones take the place of even and odd. */
+static status complain_of_class(const scheme_reader *r, int class, const char *sum)
+{
+    static const char *const parity[4] = {"an even a and an even b", "an even a and an odd b", "an odd a and an even b", "an odd a and an odd b"};
+    static const char *const halves[4] = {"both a and b are", "a, but not b, is", "b, but not a, is", "neither a nor b is"};
+    char what[100];
+    if (r->z->mesh == MESH_DUAL)
+        snprintf(what, sizeof what, "(a,b) where %s among ... -3/2, 1/2, 5/2 ...", halves[class]);
+    else
+        snprintf(what, sizeof what, "(a,b) with %s", parity[class]);
+    return diagnostic_set(r->complaint, r->line->line, r->line->column[0], "the weights of the mask at the points %s sum to %.100s, not to 1", what, sum);
+}
+
 static status check_class_sums(const scheme_reader *r, const laurent *mask)
 {
     rational sum;
@@ -104,7 +119,7 @@ static status check_class_sums(const scheme_reader *r, const laurent *mask)
             s = STATUS_NO_MEMORY;
         } else if (rational_cmp_si(&sum, 1, 1) != 0) {
             char *value = rational_get_str(&sum);
-            s = value ? reader_complain(r, "the weights of the mask for one of its four classes of new points sum to %.100s, not to 1", value) : STATUS_NO_MEMORY;
+            s = value ? complain_of_class(r, i, value) : STATUS_NO_MEMORY;
             free(value);
         }
     }

@@ -8,6 +8,7 @@ static status read_name(scheme_reader *r)
     if (!reader_take_word(r, "scheme"))
         return reader_expected(r, "'scheme NAME' as the first statement");
     reader_skip_blank(r);
+    size_t start = r->at;
     while (r->at < r->line->length && n <= SCHEME_NAME_MAX) {
         char c = r->line->text[r->at];
         if (!is_letter(c) && (n == 0 || !(is_digit(c) || c == '-')))
@@ -17,6 +18,8 @@ static status read_name(scheme_reader *r)
         n++;
         r->at++;
     }
+    if (n > SCHEME_NAME_MAX)
+        r->at = start;
     if (n == 0 || n > SCHEME_NAME_MAX || !reader_at_end(r))
         return reader_expected(r, "a name (a lower-case letter, then at most 63 lower-case letters, digits and '-')");
     r->z->name[n] = '\0';

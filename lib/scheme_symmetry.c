@@ -33,6 +33,23 @@ static int image_of_sector(const rule *r, mesh_kind mesh, lattice point, int s)
     return (is_spoke(mesh, point) ? 1 - s : -s) - from_spoke;
 }
 
+/* The valence at which alone the rule holds, when its condition is `k = NUMBER`; else 0. */
+static long only_valence(const rule *r)
+{
+    const formula *f = r->condition;
+    if (!f || f->kind != FORMULA_COMPARE || f->op != '=' || f->child[0]->kind != FORMULA_VARIABLE || f->child[1]->kind != FORMULA_NUMBER
+        || !rational_is_integer(&f->child[1]->number) || integer_bits(&f->child[1]->number.numerator) > 30)
+        return 0;
+    return (long)integer_get_si(&f->child[1]->number.numerator);
+}
+
+/* Sectors are counted round and round where the valence is known. */
+static bool is_same_sector(const rule *r, int s, int t)
+{
+    long k = only_valence(r);
+    return k > 0 ? (s - t) % k == 0 : s == t;
+}
+
 /* Weights that are exact numbers are equal if the numbers are, all others if they are written in the same way. */
 static bool is_same_weight(const source *x, const weight_value *vx, const source *y, const weight_value *vy)
 {
@@ -55,7 +72,7 @@ static bool is_image(const rule *r, mesh_kind mesh, const source *x, const sourc
     case SOURCE_ALL:
         return true;
     case SOURCE_POINT:
-        return image_of_sector(r, mesh, x->point, x->offset) == y->offset;
+        return is_same_sector(r, image_of_sector(r, mesh, x->point, x->offset), y->offset);
     case SOURCE_SECTORS: /* j becomes -j; where it becomes 1 - j or -1 - j nothing is evident */
         return image_of_sector(r, mesh, x->point, 0) == 0 && formula_is_even_in_sector(x->weight);
     default: /* real spectra have weights that are the same for j and -j */

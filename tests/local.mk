@@ -52,11 +52,13 @@ VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
   tests/verify/t-valences \
+  tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 
@@ -88,6 +90,7 @@ GENERIC_TESTS = \
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
+  tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
@@ -96,7 +99,8 @@ SCRIPT_TESTS = \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
-  tests/verify/regular.sh
+  tests/verify/regular.sh \
+  tests/verify/spectrum.sh
 
 # Files that tests read.
 EXTRA_DIST += \

@@ -145,10 +145,29 @@ static outcome run_test(analysis *a, const analysis_test *t)
     outcome o = t->run(a);
     log->outcome = o;
     log->seconds = deadline_now() - start;
+    if (o == OUTCOME_UNDEFINED && a->plan->uniform && !a->replay && a->plan->found[TEST_UNIFORM])
+        findings_explain(a->findings, o, "adaptive subdivision needs more than the %d levels that are enough for the uniform method", a->plan->max_level);
     if (o == OUTCOME_TRUE && !a->replay) {
         a->plan->found[t->name] = true;
         a->findings->elements += log->elements;
         a->findings->level = log->level > a->findings->level ? log->level : a->findings->level;
+    }
+    return o;
+}
+
+/* It writes its own attempts, and limits the search for trees that follows. */
+static outcome run_uniform(analysis *a)
+{
+    outcome o = OUTCOME_TRUE;
+    if (!a->plan->uniform || a->replay)
+        return o;
+    if (!a->plan->found[TEST_UNIFORM]) {
+        o = analysis_uniform(a);
+        findings_last(a->findings)->outcome = o;
+    }
+    if (o == OUTCOME_TRUE) {
+        a->plan->found[TEST_UNIFORM] = true;
+        a->plan->max_level = a->findings->uniform_level;
     }
     return o;
 }
@@ -167,6 +186,8 @@ static outcome run_tests(analysis *a)
                 break;
             o = evaluate_scheme(a);
         }
+        if (tests[i].name == TEST_REGULARITY)
+            o = run_uniform(a);
         if (o == OUTCOME_TRUE && (a->replay || tests[i].name == TEST_EIGENPAIR || !is_still_true(a, tests[i].name)))
             o = run_test(a, &tests[i]);
     }

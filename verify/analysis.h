@@ -10,15 +10,17 @@
 #include "findings.h"
 #include "outcome.h"
 #include "problem.h"
+#include "uniform_bounds.h"
 
 /* Which tests have succeeded: the choices that they need are there. */
-typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SPECTRUM, TEST_REGULARITY, TEST_INJECTIVITY, TESTS } test_name;
+typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TESTS } test_name;
 
 typedef struct {
     const problem *problem;
     bool found[TESTS];      /* a search leaves out what is found, as long as what it rests on is no worse than then */
     double scale_upper;     /* the spectrum was found for 1/scale <= |L| with a scale that was at most this */
     int max_level;
+    const uniform_bounds *uniform; /* not NULL: a search uses the uniform method, and then looks for trees that are no deeper */
     const deadline *deadline;
     const char *system;     /* for the log */
 } analysis_plan;

@@ -25,6 +25,9 @@ static const char help[] =
     "\n"
     "  --valence LIST        valences, such as 7 or 3..20,50\n"
     "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
+    "  --method METHOD       adaptive (default), or uniform: the reference for triangle meshes, which\n"
+    "                        subdivides everywhere alike and bounds the error of the whole net; the\n"
+    "                        certificate's trees are then sought no deeper\n"
     "  --precision BITS      only balls of this precision (64 to 8192); default: hardware\n"
     "                        intervals, then balls of 64, 128, 256 ... bits\n"
     "  --max-precision BITS  the highest precision to try (default 4096; 0: intervals only)\n"
@@ -42,6 +45,7 @@ typedef struct {
     const char *out;
     limits limits;
     long jobs;
+    bool uniform;
     bool json;
 } options;
 
@@ -49,6 +53,7 @@ typedef struct {
     options options;
     scheme scheme;
     problem problem;
+    uniform_bounds uniform;
     valences valences;
     archive archive;
     progress progress;
@@ -75,6 +80,9 @@ static int read_option(options *o, int option, const char *value)
         return -1;
     case 's':
         return scheme_options_set(&o->scheme, value) ? -1 : complain(EXIT_USAGE, "--set: at most %d settings", SCHEME_OPTIONS_MAX);
+    case 'M':
+        o->uniform = !strcmp(value, "uniform");
+        return o->uniform || !strcmp(value, "adaptive") ? -1 : complain(EXIT_USAGE, "--method: expected 'adaptive' or 'uniform', found '%s'", value);
     case 'p':
         if (read_long_option(&o->limits.precision, value, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
             return -1;
@@ -110,7 +118,7 @@ static int read_options(options *o, int argc, char **argv)
         {"valence", required_argument, NULL, 'v'},   {"set", required_argument, NULL, 's'},       {"precision", required_argument, NULL, 'p'},
         {"max-precision", required_argument, NULL, 'm'}, {"max-level", required_argument, NULL, 'l'}, {"time-limit", required_argument, NULL, 't'},
         {"jobs", required_argument, NULL, 'j'},      {"out", required_argument, NULL, 'o'},       {"json", no_argument, NULL, 'J'},
-        {"help", no_argument, NULL, 'h'},            {NULL, 0, NULL, 0},
+        {"method", required_argument, NULL, 'M'},    {"help", no_argument, NULL, 'h'},                {NULL, 0, NULL, 0},
     };
     int option, result;
     memset(o, 0, sizeof *o);
@@ -263,6 +271,21 @@ static int decide_all(prove_run *r)
     return r->result;
 }
 
+/* What the uniform method needs, where it is wanted. */
+static int prepare_method(prove_run *r)
+{
+    if (!r->options.uniform)
+        return -1;
+    if (r->scheme.mesh != MESH_TRIANGLE)
+        return complain(EXIT_USAGE, "--method uniform is for triangle meshes only, and %s is a scheme on a %s mesh", r->scheme.name, mesh_name(r->scheme.mesh));
+    if (!uniform_bounds_make(&r->uniform, &r->problem))
+        return complain(EXIT_NO_MEMORY, "no memory");
+    if (r->uniform.obstacle && !r->problem.obstacle)
+        return complain(EXIT_USAGE, "--method uniform cannot be used for %s: %s", r->scheme.name, r->uniform.obstacle);
+    r->options.limits.uniform = &r->uniform;
+    return -1;
+}
+
 static int prove(prove_run *r)
 {
     const char *complaint;
@@ -278,6 +301,9 @@ static int prove(prove_run *r)
     }
     if (!problem_make(&r->problem, &r->scheme))
         return complain(EXIT_NO_MEMORY, "no memory");
+    result = prepare_method(r);
+    if (result >= 0)
+        return result;
     result = open_archive(r);
     return result >= 0 ? result : decide_all(r);
 }
@@ -291,10 +317,12 @@ int command_prove(int argc, char **argv)
     r.result = EXIT_PROVED;
     scheme_init(&r.scheme);
     problem_init(&r.problem);
+    uniform_bounds_init(&r.uniform);
     r.valences.count = 0;
     archive_init(&r.archive);
     result = prove(&r);
     archive_clear(&r.archive);
+    uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);
     return finish_output(result);

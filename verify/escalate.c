@@ -73,6 +73,12 @@ static outcome try_precision(decision *z, choices *c, analysis_plan *plan, const
     return o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED ? OUTCOME_FAIL : o;
 }
 
+/* Has the uniform method run out of levels, where more precision does not help? */
+static bool is_uniform_open(const analysis_plan *plan)
+{
+    return plan->uniform && plan->found[TEST_SPECTRUM] && !plan->found[TEST_UNIFORM];
+}
+
 static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
 {
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
@@ -80,6 +86,8 @@ static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limi
         outcome o = try_precision(z, c, plan, l, precision);
         if (o == OUTCOME_TRUE)
             z->verdict = VERDICT_PROVED;
+        if (o == OUTCOME_UNDEFINED && is_uniform_open(plan))
+            return o;
         if ((o != OUTCOME_UNDEFINED && o != OUTCOME_FAIL) || l->precision || plan->problem->obstacle || !plan->found[TEST_REGULAR_COMPLEX])
             return o;
         if (deadline_passed(plan->deadline))
@@ -108,12 +116,12 @@ static bool is_proved_before(decision *z, const analysis_plan *plan, const buffe
 void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l)
 {
     double start = deadline_now();
-    analysis_plan plan = {.problem = p, .deadline = &l->deadline};
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
     choices c;
     choices_init(&c);
     z->valence = valence;
     c.valence = valence;
-    if (!l->precision && is_proved_before(z, &plan, earlier))
+    if (!l->precision && !l->uniform && is_proved_before(z, &plan, earlier))
         z->outcome = OUTCOME_TRUE;
     else
         z->outcome = escalate(z, &c, &plan, l);

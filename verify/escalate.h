@@ -11,6 +11,7 @@ typedef struct {
     long max_precision; /* of balls, when escalating */
     int max_level;      /* of subdivision; 0: chosen with the precision */
     bool no_intervals;  /* hardware intervals are not to be trusted here: balls only */
+    const uniform_bounds *uniform; /* NULL: the adaptive method only; else the uniform one first (verify/uniform.md) */
     deadline deadline;
 } limits;
 

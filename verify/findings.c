@@ -28,6 +28,7 @@ attempt *findings_begin(findings *z, const char *test, const char *system, long 
     a->system = system;
     a->precision = precision;
     a->bound = NAN;
+    a->error = NAN;
     a->outcome = OUTCOME_TRUE;
     return a;
 }

@@ -13,6 +13,7 @@ typedef struct {
     int level;          /* the deepest */
     long elements;      /* examined */
     double bound;       /* what decided: the least Jacobian, the largest of the other eigenvalues ...; NaN: nothing */
+    double error;       /* of the uniform method: how far the limit can be from the net; NaN: nothing */
     double seconds;
     outcome outcome;
     char reason[256];   /* why the outcome is not true */
@@ -28,6 +29,9 @@ typedef struct {
     double jacobian;                           /* a lower bound of the Jacobian on the ring, in coordinates (x, y) */
     int level;                                 /* of subdivision, in the tests that succeeded */
     long elements;                             /* examined in them */
+    bool uniform;                              /* the uniform method has proved it, too: */
+    int uniform_level;                         /*   at this level, */
+    long uniform_elements;                     /*   which has so many triangles */
     attempt attempts[MAX_ATTEMPTS];            /* all of them, or the first MAX_ATTEMPTS - 1 and the last */
     int attempt_count;
 } findings;

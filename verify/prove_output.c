@@ -35,8 +35,11 @@ static void print_figures(const decision *d)
     char others[32] = "|L|";
     if (f->runner_up < f->eigenvalue_lower)
         snprintf(others, sizeof others, "%.9f", round_up(f->runner_up));
-    printf("L = %s, others < %s (block %ld), Jacobian > %.4g, level %d, %ld elements, ", f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian),
-           f->level, f->elements);
+    printf("L = %s, others < %s (block %ld), Jacobian > %.4g, ", f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian));
+    if (f->uniform)
+        printf("uniform level %d, %ld elements (adaptive: level %d, %ld elements), ", f->uniform_level, f->uniform_elements, f->level, f->elements);
+    else
+        printf("level %d, %ld elements, ", f->level, f->elements);
 }
 
 void prove_print_line(const char *name, const decision *d, const char *certificate)
@@ -89,6 +92,14 @@ static void write_string(buffer *b, const char *name, const char *text)
     buffer_print(b, "\"");
 }
 
+/* Of the trees of the certificate, and of the uniform method. */
+static void write_levels(buffer *b, const findings *f)
+{
+    buffer_print(b, ",\"level\":%d,\"elements\":%ld", f->level, f->elements);
+    if (f->uniform)
+        buffer_print(b, ",\"uniform_level\":%d,\"uniform_elements\":%ld", f->uniform_level, f->uniform_elements);
+}
+
 static void write_findings(buffer *b, const findings *f)
 {
     write_string(b, "eigenvalue", f->eigenvalue);
@@ -97,7 +108,8 @@ static void write_findings(buffer *b, const findings *f)
     write_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
     buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
     write_number(b, "jacobian_lower", f->jacobian);
-    buffer_print(b, ",\"level\":%d,\"elements\":%ld", f->level, f->elements);
+    buffer_print(b, ",\"method\":\"%s\"", f->uniform ? "uniform" : "adaptive");
+    write_levels(b, f);
 }
 
 void prove_print_json(const char *name, const decision *d, const char *certificate)
@@ -137,8 +149,17 @@ void prove_write_log(buffer *b, const decision *d)
         buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
         write_string(b, "outcome", outcome_name(a->outcome));
         write_number(b, "bound", a->bound);
+        if (!isnan(a->error))
+            write_number(b, "error", a->error);
         write_number(b, "seconds", a->seconds);
         write_string(b, "reason", a->reason);
+        buffer_print(b, "}\n");
+    }
+    if (d->findings.uniform) {
+        buffer_print(b, "{\"valence\":%ld", d->valence);
+        write_string(b, "test", "both methods");
+        write_levels(b, &d->findings);
+        write_string(b, "outcome", verdict_name(d->verdict));
         buffer_print(b, "}\n");
     }
 }

@@ -7,6 +7,7 @@
 
 #include "adaptive.h"
 #include "analysis.h"
+#include "uniform_net.h"
 
 #define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
@@ -15,6 +16,7 @@
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
+#define analysis_uniform NUMBER_NAME(analysis_uniform)
 
 typedef struct {
     analysis_plan *plan;
@@ -31,6 +33,7 @@ typedef struct {
     number scale;      /* thin, >= 1/|L|, after test_eigenpair */
     sector_net net;    /* of the characteristic map, after analysis_make_net */
     bool net_made;
+    uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
 /* L is a simple eigenvalue of block 1, 0 < |L| < 1. */
@@ -49,5 +52,9 @@ outcome analysis_make_net(analysis *a);
 /* Subdivides elements as the task says, with the nets of which[]; fills in the parts of the task that are the same for
    all tests, and the figures of the attempt. */
 outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count);
+
+/* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
+   OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */
+outcome analysis_uniform(analysis *a);
 
 #endif

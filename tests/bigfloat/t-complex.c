@@ -135,8 +135,9 @@ static const struct {
     const char *name;
     binary op;
     void (*exact)(point *, const point *, const point *);
-} binaries[] = {{"add", complex_ball_add, add},      {"sub", complex_ball_sub, subtract}, {"mul", complex_ball_mul, multiply},
-                {"addmul", addmul, exact_addmul},    {"submul", submul, exact_submul},    {"mul_ball", mul_ball, exact_mul_ball},
+} binaries[] = {{"add", complex_ball_add, add},       {"sub", complex_ball_sub, subtract},
+                {"mul", complex_ball_mul, multiply},  {"mul_ball", mul_ball, exact_mul_ball},
+                {"addmul", addmul, exact_addmul},     {"submul", submul, exact_submul},
                 {"div", complex_ball_div, divide}};
 
 static void test_binary(void)
@@ -271,7 +272,7 @@ static void test_norm(void)
         complex_ball_set(&t, &x), complex_ball_norm(&t.re, &t, prec);
         CHECK(ball_identical(&t.re, &n), "norm: alias");
         complex_ball_abs(&n, &x, prec);
-        CHECK(!complex_ball_contains_zero(&x) || ball_is_negative(&n) == TRUTH_FALSE, "around 0 the absolute value may be negative");
+        CHECK(!complex_ball_contains_zero(&x) || ball_is_negative(&n) == TRUTH_FALSE, "abs around 0 may be negative");
         complex_ball_set(&t, &x), complex_ball_abs(&t.im, &t, prec);
         CHECK(ball_identical(&t.im, &n), "abs: alias");
         ball_sqr(&n, &n, prec);

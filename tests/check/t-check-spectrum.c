@@ -13,6 +13,7 @@
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
 #include "../../verify/check/value.c"
+#include "../../verify/check/evaluate.c"
 #include "../../verify/check/mask.c"
 #include "../../verify/check/symmetry.c"
 #include "../../verify/check/scheme.c"

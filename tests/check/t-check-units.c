@@ -16,6 +16,7 @@
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
 #include "../../verify/check/value.c"
+#include "../../verify/check/evaluate.c"
 #include "../../verify/check/mask.c"
 #include "../../verify/check/regular.c"
 #include "../../verify/check/stability.c"

@@ -34,6 +34,16 @@ static void free_setting(setting *z)
     element_stencil_clear(&z->stencil);
 }
 
+/* Of some call before the last 8. */
+static const rational *bernstein_at(const bernstein *b, element_type type, int row, int column)
+{
+    static rational entry[8];
+    static int next;
+    rational *z = &entry[++next % 8];
+    MUST(bernstein_get(z, b, type, row, column));
+    return z;
+}
+
 static element_type type_of(const setting *z, int i) { return types[z->mesh != MESH_TRIANGLE][i]; }
 
 /* ---- shape, sums, signs ---- */

@@ -62,6 +62,10 @@ commands() {
   expect version-name 0 'smoothcert ' --version
   expect prove-help 0 'Usage: smoothcert prove' prove --help
   expect schemes-help 0 'Usage: smoothcert schemes' schemes --help
+  expect help-alone 0 'Usage: smoothcert COMMAND' help
+  expect help-short 0 'Usage: smoothcert COMMAND' -h
+  expect help-of-command 0 'Usage: smoothcert regular' help regular
+  expect help-of-command-short 0 'Usage: smoothcert spectrum' spectrum -h
   expect schemes 0 loop schemes
   expect schemes-loop 0 'scheme loop' schemes loop
   same schemes-loop-is-the-file stdout "$loop"

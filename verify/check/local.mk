@@ -12,6 +12,7 @@ CHECK_SOURCES = \
   verify/check/text.h verify/check/text.c \
   verify/check/formula.h verify/check/formula.c \
   verify/check/value.h verify/check/value.c \
+  verify/check/evaluate.h verify/check/evaluate.c \
   verify/check/mask.h verify/check/mask.c \
   verify/check/symmetry.h verify/check/symmetry.c \
   verify/check/scheme.h verify/check/scheme.c \

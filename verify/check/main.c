@@ -17,7 +17,8 @@
  *     sha256          the hash of the last record
  *     text            files, canonical text, tokens     (lib/scheme.md)
  *     formula         formulas read                     (lib/scheme.md)
- *     value           formulas evaluated                (lib/scheme.md)
+ *     value           the arithmetic of values          (lib/scheme.md)
+ *     evaluate        formulas evaluated                (lib/scheme.md)
  *     mask            masks and their conditions        (lib/scheme.md)
  *     scheme          scheme files                      (lib/scheme.md)
  *     symmetry        evident mirror symmetry           (lib/scheme.md)

@@ -10,7 +10,7 @@
  */
 
 #include "mask.h"
-#include "value.h"
+#include "evaluate.h"
 
 enum { MAX_RULES = 16, MAX_SOURCES = 32, MAX_STEPS = 34 };
 

@@ -35,7 +35,7 @@ static struct value weigh_each(interval *out, const struct node *formula,
 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
         out[j] = value_enclose(w, v->g);
-        sum = value_add(sum, w, v->g);
+        value_apply(&sum, '+', &w, NULL, v->g);
 
         integer keep[4] = { out[j].lo, out[j].hi,
                             sum.kind == RATIONAL ? sum.q.num : sum.x.lo,
@@ -59,6 +59,7 @@ static void weigh(struct active_rule *out, const struct valence *v)
     struct environment plain = environment_make(l, v->k, -1, -1, -1, v->g);
     struct environment zero = environment_make(l, v->k, 0, 0, -1, v->g);
     struct value sum = value_from(rational_from(0, 1));
+    struct value rest = value_from(rational_from(1, 1));
 
     out->weighted = allocate((size_t)rule->count, sizeof out->weighted[0]);
     for (int i = 0; i < rule->count; i++) {
@@ -79,10 +80,10 @@ static void weigh(struct active_rule *out, const struct valence *v)
             value_require(value, l, v->reference.file, v->reference.line);
         }
         w->weight = value_enclose(value, v->g);
-        sum = value_add(sum, value, v->g);
+        value_apply(&sum, '+', &value, NULL, v->g);
     }
-    out->weighted[rule->rest].weight =
-        value_enclose(value_sub(value_from(rational_from(1, 1)), sum, v->g), v->g);
+    value_apply(&rest, '-', &sum, NULL, v->g);
+    out->weighted[rule->rest].weight = value_enclose(rest, v->g);
 }
 
 static void prepare_step(struct active_step *out, const struct step *step,

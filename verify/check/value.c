@@ -1,4 +1,5 @@
-/* Formulas evaluated: the arithmetic of lib/scheme.md, "Value of a formula". */
+/* The arithmetic of lib/scheme.md, "Value of a formula".  (Formulas are evaluated in
+ * another file, so that no compiler puts all this into the one recursive function.) */
 
 #include "value.h"
 
@@ -7,7 +8,7 @@
 
 enum { MAX_EXPONENT = 16384 };                     /* of bases that are not exact */
 
-enum truth { NO, YES, UNKNOWN };
+static const char SEVERAL[] = "it depends on m, for several frequencies at once";
 
 static struct value undefined(const struct node *at, const char *fault, bool open)
 {
@@ -31,11 +32,33 @@ static struct value angle(rational q)
     return out;
 }
 
-static struct value enclosure(interval x)
+struct value value_enclosure(interval x)
 {
     struct value out = { .kind = ENCLOSURE, .x = x };
 
     return out;
+}
+
+void value_constant(struct value *out, const struct node *f)
+{
+    *out = f->kind == NODE_PI ? angle(rational_from(1, 1)) : value_from(f->number);
+}
+
+void value_variable(struct value *out, int64_t first, int64_t last,
+                    const struct node *at)
+{
+    struct value range = { .kind = FREQUENCIES, .first = first, .last = last };
+
+    if (first < 0)
+        *out = undefined(at, "k, m or j has no meaning here", false);
+    else
+        *out = first < last ? range : value_from(rational_from(first, 1));
+}
+
+void value_undefine(struct value *out, const struct node *at, const char *fault,
+                    bool open)
+{
+    *out = undefined(at, fault, open);
 }
 
 interval value_enclose(struct value v, int g)
@@ -87,17 +110,16 @@ static struct value with_enclosures(struct value a, char operation, struct value
     interval x = value_enclose(a, g), y = value_enclose(b, g);
 
     if (operation == '+')
-        return enclosure(interval_add(x, y));
+        return value_enclosure(interval_add(x, y));
     if (operation == '-')
-        return enclosure(interval_sub(x, y));
+        return value_enclosure(interval_sub(x, y));
     if (operation == '*')
-        return enclosure(grid_mul(x, y, g));
+        return value_enclosure(grid_mul(x, y, g));
     if (interval_contains_zero(y))
         return undefined(at, "division by an enclosure of zero", !interval_is_zero(y));
-    return enclosure(grid_div(x, y, g));
+    return value_enclosure(grid_div(x, y, g));
 }
 
-/* a (operation) b */
 static struct value apply(struct value a, char operation, struct value b,
                           const struct node *at, int g)
 {
@@ -111,7 +133,7 @@ static struct value apply(struct value a, char operation, struct value b,
     if (b.kind == UNDEFINED)
         return b;
     if (a.kind == FREQUENCIES || b.kind == FREQUENCIES)
-        return undefined(at, "it depends on m, for several frequencies at once", true);
+        return undefined(at, SEVERAL, true);
     if (operation == '/' && b.kind == RATIONAL && b.q.num.sign == 0)
         return undefined(at, "division by zero", false);
 
@@ -128,25 +150,20 @@ static struct value apply(struct value a, char operation, struct value b,
     return angle(q);
 }
 
-struct value value_add(struct value a, struct value b, int g)
+void value_apply(struct value *a, char operation, const struct value *b,
+                 const struct node *at, int g)
 {
-    return apply(a, '+', b, NULL, g);
+    *a = apply(*a, operation, *b, at, g);
 }
 
-struct value value_sub(struct value a, struct value b, int g)
+void value_negate(struct value *v, const struct node *at)
 {
-    return apply(a, '-', b, NULL, g);
-}
-
-static struct value negate(struct value v, const struct node *at)
-{
-    if (v.kind == FREQUENCIES)
-        return undefined(at, "it depends on m, for several frequencies at once", true);
-    if (v.kind == ENCLOSURE)
-        v.x = interval_minus(v.x);
-    else if (v.kind != UNDEFINED)
-        v.q = rational_negate(v.q);
-    return v;
+    if (v->kind == FREQUENCIES)
+        *v = undefined(at, SEVERAL, true);
+    else if (v->kind == ENCLOSURE)
+        v->x = interval_minus(v->x);
+    else if (v->kind != UNDEFINED)
+        v->q = rational_negate(v->q);
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -173,7 +190,6 @@ static rational rational_power(rational q, integer n)
     return out;
 }
 
-/* base ^ n, or base ^ -n */
 static struct value power(struct value base, struct value exponent, bool minus,
                           const struct node *at, int g)
 {
@@ -183,7 +199,7 @@ static struct value power(struct value base, struct value exponent, bool minus,
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
         return base.kind == UNDEFINED ? base : exponent;
     if (base.kind == FREQUENCIES || exponent.kind == FREQUENCIES)
-        return undefined(at, "it depends on m, for several frequencies at once", true);
+        return undefined(at, SEVERAL, true);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
         return undefined(at, "the exponent is not a whole number", false);
     if (minus)
@@ -199,11 +215,17 @@ static struct value power(struct value base, struct value exponent, bool minus,
             cannot_check("an exponent of more than %d occurs", MAX_EXPONENT);
         if (base.kind == ANGLE && n == 1 && !minus)
             return base;
-        base = out = enclosure(value_enclose(base, g));
+        base = out = value_enclosure(value_enclose(base, g));
         for (int64_t i = 1; i < n; i++)
             out = apply(out, '*', base, at, g);
     }
     return minus ? apply(one, '/', out, at, g) : out;
+}
+
+void value_power(struct value *base, const struct value *exponent, bool minus,
+                 const struct node *at, int g)
+{
+    *base = power(*base, *exponent, minus, at, g);
 }
 
 /* Comparisons
@@ -269,36 +291,9 @@ static enum truth compare(struct value a, char join, struct value b, int g)
     return holds_for_signs(join, difference.lo.sign, difference.hi.sign);
 }
 
-/* exact: enclosures leave it unknown. */
-static enum truth decide(const struct node *condition, const struct environment *e,
-                         bool exact)
+enum truth value_compare(const struct value *a, char join, const struct value *b, int g)
 {
-    enum truth out = condition->kind == NODE_AND ? YES : NO;
-
-    for (const struct node *c = condition->first; c != NULL; c = c->next) {
-        struct value a = evaluate(c->first, e), b = evaluate(c->first->next, e);
-        enum truth here = compare(a, c->first->next->join, b, e->g);
-
-        if (exact && (a.kind != b.kind || a.kind == ENCLOSURE))
-            here = UNKNOWN;
-        if (here == (condition->kind == NODE_AND ? NO : YES))
-            return here;
-        if (here == UNKNOWN)
-            out = UNKNOWN;
-    }
-    return out;
-}
-
-bool condition_holds(const struct node *condition, const struct environment *e)
-{
-    struct mark mark = scratch_mark();
-    enum truth out = decide(condition, e, true);
-
-    scratch_release(mark);
-    if (out == UNKNOWN)
-        cannot_check_at(e->language->file, condition->line, condition->column,
-                        "this comparison cannot be decided");
-    return out == YES;
+    return compare(*a, join, *b, g);
 }
 
 /* Functions
@@ -313,7 +308,7 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
         return undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
     if (sine ? rational_sin_pi(&exact, v.q) : rational_cos_pi(&exact, v.q))
         return value_from(exact);
-    return enclosure(sine ? grid_sin_pi(v.q, g) : grid_cos_pi(v.q, g));
+    return value_enclosure(sine ? grid_sin_pi(v.q, g) : grid_cos_pi(v.q, g));
 }
 
 static struct value square_root(struct value v, const struct node *at, int g)
@@ -330,7 +325,7 @@ static struct value square_root(struct value v, const struct node *at, int g)
     if (x.lo.sign < 0)
         return undefined(at, "the square root of something that is or may be negative",
                          v.kind == ENCLOSURE && x.hi.sign >= 0);
-    return enclosure(grid_root(x, g));
+    return value_enclosure(grid_root(x, g));
 }
 
 static struct value absolute(struct value v)
@@ -350,7 +345,7 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
         return (rational_compare(a.q, b.q) <= 0) == least ? a : b;
     x = value_enclose(a, g);
     y = value_enclose(b, g);
-    return enclosure(least ? interval_min(x, y) : interval_max(x, y));
+    return value_enclosure(least ? interval_min(x, y) : interval_max(x, y));
 }
 
 /* x - y floor(x / y) */
@@ -365,121 +360,22 @@ static struct value modulo(struct value a, struct value b, const struct node *at
                       rational_floor(rational_divide(a.q, b.q)))));
 }
 
-static struct value function(const struct node *f, const struct environment *e)
+void value_function(struct value *out, const struct value *b, const struct node *f, int g)
 {
-    struct value out = evaluate(f->first, e);
-
-    for (const struct node *n = f->first; n != NULL; n = n->next) {
-        struct value v = n == f->first ? out : evaluate(n, e);
-
-        if (v.kind == UNDEFINED)
-            return v;
-        if (v.kind == FREQUENCIES)
-            return undefined(f, "it depends on m, for several frequencies at once",
-                             true);
-        if (f->kind == NODE_COS || f->kind == NODE_SIN)
-            out = cos_or_sin(v, f, e->g);
-        else if (f->kind == NODE_SQRT)
-            out = square_root(v, f, e->g);
-        else if (f->kind == NODE_ABS)
-            out = absolute(v);
-        else if (n != f->first && f->kind == NODE_MOD)
-            out = modulo(out, v, f);
-        else if (n != f->first)
-            out = least_or_greatest(out, v, f->kind == NODE_MIN, e->g);
-    }
-    return out;
-}
-
-static struct value cases(const struct node *f, const struct environment *e)
-{
-    for (const struct node *n = f->first; n != NULL; n = n->next->next) {
-        enum truth truth;
-
-        if (n->next == NULL)                       /* else */
-            return evaluate(n, e);
-        truth = decide(n, e, false);
-        if (truth == YES)
-            return evaluate(n->next, e);
-        if (truth == UNKNOWN)
-            return undefined(n, "this comparison cannot be decided", true);
-    }
-    return undefined(f, "no case applies", false);
-}
-
-/* Formulas
- * -------- */
-
-static struct value frequency(const struct node *at, const struct environment *e)
-{
-    struct value out = { .kind = FREQUENCIES, .first = e->first, .last = e->last };
-
-    if (e->first < 0)
-        return undefined(at, "m has no meaning here", false);
-    if (e->first < e->last)
-        return out;
-    return value_from(rational_from(e->first, 1));
-}
-
-struct value evaluate(const struct node *f, const struct environment *e)
-{
-    struct mark mark = scratch_mark();
-    struct value out;
-
-    switch (f->kind) {
-    case NODE_NUMBER:
-        return value_from(f->number);
-    case NODE_PI:
-        return angle(rational_from(1, 1));
-    case NODE_K:
-        return e->k < 0 ? undefined(f, "k has no meaning here", false)
-                        : value_from(rational_from(e->k, 1));
-    case NODE_M:
-        return frequency(f, e);
-    case NODE_J:
-        return e->j < 0 ? undefined(f, "j has no meaning here", false)
-                        : value_from(rational_from(e->j, 1));
-    case NODE_NAME:
-        return e->definition[f->name];
-    case NODE_SUM:
-    case NODE_PRODUCT:
-        out = evaluate(f->first, e);
-        if (f->first->join == '-')
-            out = negate(out, f);
-        for (const struct node *n = f->first->next; n != NULL; n = n->next)
-            out = apply(out, n->join, evaluate(n, e), n, e->g);
-        break;
-    case NODE_POWER:
-        out = power(evaluate(f->first, e), evaluate(f->first->next, e),
-                    f->first->next->join == '-', f, e->g);
-        break;
-    case NODE_CASES:
-        out = cases(f, e);
-        break;
-    default:
-        out = function(f, e);
-        break;
-    }
-    value_keep(mark, &out);
-    return out;
-}
-
-struct environment environment_make(const struct language *l, int64_t k, int64_t first,
-                                    int64_t last, int64_t j, int g)
-{
-    struct environment out = { l, k, first, last, j, g, NULL };
-
-    out.definition = allocate((size_t)l->count, sizeof out.definition[0]);
-    for (int i = 0; i < l->count; i++) {
-        const struct definition *d = &l->definition[i];
-
-        if (d->formula != NULL)
-            out.definition[i] = evaluate(d->formula, &out);
-        else if (rational_compare(d->low, d->high) == 0)
-            out.definition[i] = value_from(d->low);
-        else
-            out.definition[i] = enclosure(interval_hull(grid_from_rational(d->low, g),
-                                                        grid_from_rational(d->high, g)));
-    }
-    return out;
+    if (out->kind == UNDEFINED)
+        return;
+    if (b != NULL && b->kind == UNDEFINED)
+        *out = *b;
+    else if (out->kind == FREQUENCIES || (b != NULL && b->kind == FREQUENCIES))
+        *out = undefined(f, SEVERAL, true);
+    else if (f->kind == NODE_COS || f->kind == NODE_SIN)
+        *out = cos_or_sin(*out, f, g);
+    else if (f->kind == NODE_SQRT)
+        *out = square_root(*out, f, g);
+    else if (f->kind == NODE_ABS)
+        *out = absolute(*out);
+    else if (f->kind == NODE_MOD)
+        *out = modulo(*out, *b, f);
+    else
+        *out = least_or_greatest(*out, *b, f->kind == NODE_MIN, g);
 }

@@ -1,8 +1,8 @@
 #ifndef CHECK_VALUE_H
 #define CHECK_VALUE_H
 
-/* The value of a formula
- * ======================
+/* Values of formulas
+ * ==================
  *
  * lib/scheme.md, "Value of a formula": an exact rational q, an angle q pi (q not
  * 0), or an enclosure.  The variable m may stand for several frequencies at once
@@ -23,26 +23,15 @@ struct value {
     bool open;                                     /* and could a finer grid help? */
 };
 
-/* What formulas are evaluated with. */
-struct environment {
-    const struct language *language;
-    int64_t k, first, last, j;                     /* m = first..last; < 0: none */
-    int g;
-    struct value *definition;                      /* their values, in order */
-};
-
-/* An environment in which the definitions have been evaluated. */
-struct environment environment_make(const struct language *l, int64_t k, int64_t first,
-                                    int64_t last, int64_t j, int g);
-
-struct value evaluate(const struct node *formula, const struct environment *e);
-
-/* Whether the condition holds, exactly; if that is not known: cannot check. */
-bool condition_holds(const struct node *condition, const struct environment *e);
-
 struct value value_from(rational q);
-struct value value_add(struct value a, struct value b, int g);
-struct value value_sub(struct value a, struct value b, int g);
+struct value value_enclosure(interval x);
+
+/* A number or pi; k, j or m = first..last, if first is not negative; nothing. */
+void value_constant(struct value *out, const struct node *f);
+void value_variable(struct value *out, int64_t first, int64_t last,
+                    const struct node *at);
+void value_undefine(struct value *out, const struct node *at, const char *fault,
+                    bool open);
 
 /* The enclosure that a value is turned into. */
 interval value_enclose(struct value v, int g);
@@ -54,5 +43,27 @@ void value_keep(struct mark mark, struct value *v);
  * line of the certificate (NULL: with "cannot check"), else with "cannot check". */
 void value_require(struct value v, const struct language *l, const char *certificate,
                    int line);
+
+/* Operations
+ * ----------
+ *
+ * In place; `at` is where a fault would be. */
+
+/* a := a + b, a - b, a * b, a / b */
+void value_apply(struct value *a, char operation, const struct value *b,
+                 const struct node *at, int g);
+void value_negate(struct value *v, const struct node *at);
+
+/* base := base ^ exponent, or base ^ -exponent */
+void value_power(struct value *base, const struct value *exponent, bool minus,
+                 const struct node *at, int g);
+
+/* v := f(v), or f(v, b) for functions of several arguments */
+void value_function(struct value *v, const struct value *b, const struct node *f, int g);
+
+enum truth { NO, YES, UNKNOWN };
+
+/* a (comparison) b, as in formula.h */
+enum truth value_compare(const struct value *a, char join, const struct value *b, int g);
 
 #endif
