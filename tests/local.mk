@@ -97,6 +97,7 @@ SCRIPT_TESTS = \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
+  tests/verify/cases.sh \
   tests/verify/cli.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh
@@ -110,7 +111,8 @@ EXTRA_DIST += \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
-  tests/certificates/reject
+  tests/certificates/reject \
+  tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
