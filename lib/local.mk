@@ -43,7 +43,8 @@ LIB_GENERIC_SOURCES = \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
   lib/monotone.h lib/monotone.c \
-  lib/charnet.h lib/charnet.c
+  lib/charnet.h lib/charnet.c \
+  lib/patch.h lib/patch.c
 
 # Compiled for jets of every kind of number, too.
 LIB_JET_SOURCES = \

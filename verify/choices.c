@@ -6,6 +6,8 @@
 void choices_init(choices *z)
 {
     memset(z, 0, sizeof *z);
+    z->claim = CLAIM_C1;
+    z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);

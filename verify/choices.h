@@ -28,7 +28,19 @@ typedef struct {
     int64_t bound;
 } stability_choice;
 
+/* What a certificate proves: C1, or why not (verify/certificate.md, section 10). */
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD } claim_kind;
+
+/* A descendant of an element of the ring: one child after the other. */
 typedef struct {
+    int element;
+    int depth;
+    char path[TREE_MAX_DEPTH + 1]; /* digits */
+} witness_choice;
+
+typedef struct {
+    claim_kind claim;
+    long frequency;       /* of the eigenvalue: 1 for C1 and folds */
     long valence;
     long grid;            /* g: units of 2^-g */
     int contraction[3];   /* N_1 N_2 N_3 */
@@ -40,9 +52,10 @@ typedef struct {
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;
+    witness_choice witness[2]; /* of CLAIM_NOT_C0 the first, of CLAIM_FOLD both */
 } choices;
 
-void choices_init(choices *z);
+void choices_init(choices *z); /* of C1 */
 void choices_clear(choices *z);
 
 #endif

@@ -27,26 +27,31 @@ static void note_radius(analysis *a, double radius, long m)
 
 static outcome complain(analysis *a, frequencies m, bool diverges)
 {
-    const char *others = m.last == 0 ? " other than 1" : m.last == 1 ? " other than the dominant one" : "";
+    long f = a->choices->frequency;
+    const char *others = m.last == 0 ? " other than 1" : m.first == f && m.last == f ? " other than the dominant one" : "";
     const char *hint = diverges ? "; one of them seems to be at least as large" : "";
     outcome o = diverges ? OUTCOME_FALSE : OUTCOME_FAIL;
     if (m.first == m.last)
-        return findings_explain(a->findings, o, "block %ld: its eigenvalues%s could not be shown to be smaller than that of block 1%s", m.first, others, hint);
-    return findings_explain(a->findings, o, "blocks %ld to %ld: their eigenvalues could not be shown to be smaller than that of block 1%s", m.first, m.last, hint);
+        return findings_explain(a->findings, o, "block %ld: its eigenvalues%s could not be shown to be smaller than that of block %ld%s", m.first, others, f, hint);
+    return findings_explain(a->findings, o, "blocks %ld to %ld: their eigenvalues could not be shown to be smaller than that of block %ld%s", m.first, m.last, f, hint);
 }
 
-/* The matrix has only eigenvalues smaller than 1/scale: by the power in the choices, or by one that is added to them. */
-static outcome contract(analysis *a, const number *rest, int n, long m)
+/* The matrix has only eigenvalues smaller than 1/scale: by the power of the next box of the choices, which must be m
+   alone, or by one that is added to them. */
+static outcome contract(analysis *a, const number *rest, int n, long m, size_t *next)
 {
     cover_list *blocks = &a->choices->blocks;
     spectral_answer answer;
     outcome o;
     if (a->replay) {
-        int power = blocks->box[m].power;
-        answer = spectral_contraction(rest, &a->scale, n, power, power, a->prec);
+        const cover_box *box = &blocks->box[*next];
+        if (*next >= blocks->count || box->m.first != m || box->m.last != m || box->power < 0)
+            return findings_explain(a->findings, OUTCOME_FALSE, "the next box should be that of block %ld alone", m);
+        answer = spectral_contraction(rest, &a->scale, n, box->power, box->power, a->prec);
     } else {
         answer = spectral_contraction_sharp(rest, &a->scale, n, CHOICES_MAX_POWER, a->prec);
     }
+    ++*next;
     o = out_of_memory_or(answer.contracts);
     if (o == OUTCOME_TRUE && n > 0)
         note_radius(a, answer.radius, m);
@@ -56,7 +61,7 @@ static outcome contract(analysis *a, const number *rest, int n, long m)
 }
 
 /* Block 0 without the eigenvalue 1 of the vector of ones. */
-static outcome prove_plain(analysis *a)
+static outcome prove_plain(analysis *a, size_t *next)
 {
     block plain;
     outcome o = analysis_make_block(&plain, a, 0, 0);
@@ -66,7 +71,7 @@ static outcome prove_plain(analysis *a)
         o = OUTCOME_NO_MEMORY;
         if (rest) {
             matrix_deflate(rest, plain.entry, NULL, plain.n, 0, a->prec);
-            o = contract(a, rest, plain.n - 1, 0);
+            o = contract(a, rest, plain.n - 1, 0, next);
             number_array_free(rest, size);
         }
     }
@@ -74,8 +79,8 @@ static outcome prove_plain(analysis *a)
     return o;
 }
 
-/* Block 1 without L. */
-static outcome prove_dominant(analysis *a)
+/* The block of L without L. */
+static outcome prove_dominant(analysis *a, size_t *next)
 {
     const eigenpair_choice *e = &a->choices->eigenpair;
     int n = a->order - (e->complex_form ? 2 : 1);
@@ -83,7 +88,7 @@ static outcome prove_dominant(analysis *a)
     outcome o = OUTCOME_NO_MEMORY;
     if (rest) {
         (e->complex_form ? matrix_deflate_complex : matrix_deflate)(rest, a->matrix, a->box, a->order, e->pivot, a->prec);
-        o = contract(a, rest, n, 1);
+        o = contract(a, rest, n, a->choices->frequency, next);
         number_array_free(rest, (size_t)n * (size_t)n);
     }
     return o;
@@ -112,45 +117,41 @@ outcome analysis_make_block(block *b, analysis *a, long first, long last)
     return from_status(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
 }
 
-/* The boxes behind 0 and 1, as lib/cover.h has them. */
-static outcome prove_ranges(analysis *a)
+/* The boxes of the choices from *next on that begin in the range. */
+static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, size_t *next)
+{
+    for (; *next < blocks->count && blocks->box[*next].m.first <= m.last; ++*next)
+        if (!cover_list_add(z, blocks->box[*next].m, blocks->box[*next].power))
+            return false;
+    return true;
+}
+
+/* All blocks of a range, in which the one of L is not, as lib/cover.h has it. */
+static outcome prove_range(analysis *a, frequencies m, size_t *next)
 {
     static const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true};
-    cover_list *blocks = &a->choices->blocks, rest;
-    frequencies m = {2, a->choices->valence / 2};
+    cover_list *blocks = &a->choices->blocks, boxes;
     cover_answer answer;
     diagnostic d;
     outcome o;
-    cover_list_init(&rest);
     if (m.first > m.last)
-        return !a->replay || blocks->count == 2 ? OUTCOME_TRUE : OUTCOME_FALSE;
-    for (size_t i = 2; a->replay && i < blocks->count; i++)
-        if (!cover_list_add(&rest, blocks->box[i].m, blocks->box[i].power)) {
-            cover_list_clear(&rest);
-            return OUTCOME_NO_MEMORY;
-        }
-    answer = a->replay ? cover_verify(&rest, &a->numbers, &a->scale, m, &d) : cover_search(&rest, &a->numbers, &a->scale, m, &limits, &d);
+        return OUTCOME_TRUE;
+    cover_list_init(&boxes);
+    if (a->replay && !take_boxes(&boxes, blocks, m, next)) {
+        cover_list_clear(&boxes);
+        return OUTCOME_NO_MEMORY;
+    }
+    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
     o = from_status(a, answer.status, &d);
     if (o == OUTCOME_TRUE && !answer.proved)
         o = complain(a, answer.open, answer.diverges);
     if (o == OUTCOME_TRUE)
         note_radius(a, answer.radius, answer.largest);
-    for (size_t i = 0; o == OUTCOME_TRUE && !a->replay && i < rest.count; i++)
-        if (!cover_list_add(blocks, rest.box[i].m, rest.box[i].power))
+    for (size_t i = 0; o == OUTCOME_TRUE && !a->replay && i < boxes.count; i++, ++*next)
+        if (!cover_list_add(blocks, boxes.box[i].m, boxes.box[i].power))
             o = OUTCOME_NO_MEMORY;
-    cover_list_clear(&rest);
+    cover_list_clear(&boxes);
     return o;
-}
-
-/* Do the first boxes hold 0 and 1, and nothing else? */
-static bool begins_well(const cover_list *blocks)
-{
-    if (blocks->count < 2)
-        return false;
-    for (long m = 0; m <= 1; m++)
-        if (blocks->box[m].m.first != m || blocks->box[m].m.last != m || blocks->box[m].power < 0)
-            return false;
-    return true;
 }
 
 static bool is_within_limits(const cover_list *blocks)
@@ -164,18 +165,24 @@ static bool is_within_limits(const cover_list *blocks)
 outcome test_spectrum(analysis *a)
 {
     cover_list *blocks = &a->choices->blocks;
-    outcome o;
+    long f = a->choices->frequency, half = a->choices->valence / 2;
+    size_t next = 0;
+    outcome o = OUTCOME_TRUE;
     if (!a->replay) {
         blocks->count = 0;
         a->findings->runner_up = 0;
         a->findings->runner_up_block = 0;
-    } else if (!begins_well(blocks))
-        return findings_explain(a->findings, OUTCOME_FALSE, "the blocks do not begin with those of the frequencies 0 and 1");
-    o = prove_plain(a);
+    }
+    if (f > 0)
+        o = prove_plain(a, &next);
     if (o == OUTCOME_TRUE)
-        o = prove_dominant(a);
+        o = prove_range(a, (frequencies){1, f - 1}, &next);
     if (o == OUTCOME_TRUE)
-        o = prove_ranges(a);
+        o = prove_dominant(a, &next);
+    if (o == OUTCOME_TRUE)
+        o = prove_range(a, (frequencies){f + 1, half}, &next);
+    if (o == OUTCOME_TRUE && next != blocks->count)
+        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", half);
     if (o == OUTCOME_TRUE && !is_within_limits(blocks))
         o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers or blocks beyond the limits of certificates (%d, %d)",
                              CHOICES_MAX_TOTAL_POWER, CHOICES_MAX_BLOCKS);

@@ -104,7 +104,7 @@ answers() {
   expect proved-with-balls 0 'balls of 128 bits' prove loop --valence 7 --precision 128 --out none
   expect proved-with-intervals 0 'double intervals' prove loop --valence 7 --max-precision 0 --out none
   expect options-before 0 'proved: loop is C1 at valence 3; ' prove --out none --valence=3 loop
-  expect undecided-level 2 'undecided: loop at valence 3; ' prove loop --valence 3 --max-level 1 --max-precision 64 --out none
+  expect undecided-level 2 'undecided: butterfly at valence 5; ' prove butterfly --valence 5 --max-level 1 --max-precision 64 --out none
   sed 's|centre .*+.*|centre 5/8|' "$loop" >tie.scheme
   expect undecided-tie 2 'undecided: loop at valence 3; ' prove tie.scheme --valence 3 --max-precision 128 --out none
   expect undecided-some 2 'proved: loop is C1 at valence 4; ' prove tie.scheme --valence 3,4 --max-precision 128 --out none
@@ -151,15 +151,15 @@ archives() {
   expect other-scheme 65 'evidence holds evidence for another scheme' prove other.scheme --valence 3 --out evidence
   contents other-scheme-changes-nothing evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
   cp evidence/valence-3.cert before
-  expect undecided-archive 2 'undecided' prove loop --valence 3,8 --max-level 1 --max-precision 0 --out undecided
-  [ -s undecided/valence-3.log ] && [ ! -e undecided/valence-3.cert ]
+  expect undecided-archive 2 'undecided' prove butterfly --valence 5,7 --max-level 1 --max-precision 0 --out undecided
+  [ -s undecided/valence-5.log ] && [ ! -e undecided/valence-5.cert ]
   holds undecided-leaves-no-certificate $? 'a certificate, or no log'
 
   [ "$(sed 's/ [0-9a-f]\{64\} / HASH /' evidence/index | tr '\n' ';')" = '3 proved HASH valence-3.cert;5 proved HASH valence-5.cert;6 proved HASH valence-6.cert;' ]
   holds index $? "$(head -n 1 evidence/index)"
   [ "$(sed -n 's/^5 proved \([^ ]*\) .*/\1/p' evidence/index)" = "$(sha256sum evidence/valence-5.cert | sed 's/ .*//')" ]
   holds index-digest $? "$(grep '^5' evidence/index)"
-  [ "$(sed 's/ [0-9a-f]\{64\} .*//' undecided/index | tr '\n' ';')" = '3 undecided;8 proved;' ]
+  [ "$(sed 's/ [0-9a-f]\{64\} .*//' undecided/index | tr '\n' ';')" = '5 undecided;7 proved;' ]
   holds index-undecided $? "$(head -n 1 undecided/index)"
 
   # Every line of a log is an object by itself.
