@@ -76,12 +76,14 @@ static struct net extend_net(const struct net *old, const struct block *block,
     if (rings <= old->rings)
         cannot_check("the checker cannot extend the characteristic net");
     out = net_make(mesh, rings);
+    out.centre = old->centre;                      /* for m = 0, which keeps it */
     new = net_subdivide(old, block, rings);
     for (int a = 1; a <= rings; a++)
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
             net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
                 ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real, block->v->g));
+                : divide(net_value(&new, block, a, b), pair, block->real || block->plain,
+                         block->v->g));
     return out;
 }
 

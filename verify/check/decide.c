@@ -146,6 +146,20 @@ static bool half_plane_contains(const struct tree *t, const struct pair *box)
                                              grid_mul(grid_from(n[1], g), box->y, g)));
 }
 
+/* det(d1, d2) < 0 */
+static bool jacobian_is_negative(const struct tree *t, const struct pair *box)
+{
+    struct pair turned[2] = { box[1], box[0] };
+
+    return jacobian_is_positive(t, turned);
+}
+
+static bool is_not_zero(const struct tree *t, const struct pair *box)
+{
+    (void)t;
+    return !interval_contains_zero(box->x) || !interval_contains_zero(box->y);
+}
+
 /* Trees
  * ----- */
 
@@ -202,10 +216,10 @@ static void check_elements(struct tree *t, const struct element *element, int el
         rejected(t->certificate->file, t->line, "%s: the word is too long", t->name);
 }
 
-void decide_regularity(const struct characteristic *c,
-                       const struct certificate *certificate)
+static struct tree regularity_tree(const struct characteristic *c,
+                                   const struct certificate *certificate)
 {
-    struct tree t = {
+    struct tree out = {
         .c = c, .certificate = certificate,
         .name = "regularity", .line = certificate->line_of.regularity,
         .next = certificate->regularity,
@@ -214,13 +228,13 @@ void decide_regularity(const struct characteristic *c,
         .decide = jacobian_is_positive
     };
 
-    check_elements(&t, c->element, c->elements);
+    return out;
 }
 
-void decide_boundary(const struct characteristic *c,
-                     const struct certificate *certificate)
+static struct tree boundary_tree(const struct characteristic *c,
+                                 const struct certificate *certificate)
 {
-    struct tree t = {
+    struct tree out = {
         .c = c, .certificate = certificate,
         .name = "boundary", .line = certificate->line_of.boundary,
         .next = certificate->boundary,
@@ -229,5 +243,81 @@ void decide_boundary(const struct characteristic *c,
         .decide = half_plane_contains
     };
 
+    return out;
+}
+
+void decide_regularity(const struct characteristic *c,
+                       const struct certificate *certificate)
+{
+    struct tree t = regularity_tree(c, certificate);
+
+    check_elements(&t, c->element, c->elements);
+}
+
+void decide_boundary(const struct characteristic *c,
+                     const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+
     check_elements(&t, c->segment, c->segments);
+}
+
+/* Refutations
+ * ----------- */
+
+void decide_outer_curve(const struct characteristic *c,
+                        const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+
+    t.decide = is_not_zero;
+    check_elements(&t, c->segment, c->segments);
+}
+
+/* What t decides holds for the descendant that the witness names. */
+static void check_witness(const struct tree *t, const struct element *element,
+                          int elements, const struct witness *w)
+{
+    struct mark mark = scratch_mark();
+    struct pair box[MAX_FUNCTIONS];
+    struct patches patches;
+    enum element_kind kind;
+
+    if (w->element >= elements)
+        rejected(t->certificate->file, w->line, "witness: there are %d elements", elements);
+    if (w->path_size > MAX_DEPTH)
+        cannot_check_at(t->certificate->file, w->line, 0,
+                        "witness: expected a depth of at most %d", MAX_DEPTH);
+    patches = start_patches(t, &element[w->element]);
+    kind = element[w->element].kind;
+    for (size_t i = 0; i < w->path_size; i++) {
+        int number = w->path[i] - '0';
+
+        if (number >= element_form[kind].children)
+            rejected(t->certificate->file, w->line, "witness: there is no child %d", number);
+        patches = refine_patches(t, &patches, kind, &element_form[kind].child[number]);
+        kind = element_form[kind].child[number].kind;
+    }
+    for (int i = 0; i < t->functions; i++)
+        box[i] = patch_box(patches.of[i], t->f[i], kind, t->c->version_0);
+    if (!t->decide(t, box))
+        rejected(t->certificate->file, w->line, "witness: it does not show what it should");
+    scratch_release(mark);
+}
+
+void decide_not_zero(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+
+    t.decide = is_not_zero;
+    check_witness(&t, c->segment, c->segments, &certificate->witness[0]);
+}
+
+void decide_fold(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree t = regularity_tree(c, certificate);
+
+    check_witness(&t, c->element, c->elements, &certificate->witness[0]);
+    t.decide = jacobian_is_negative;
+    check_witness(&t, c->element, c->elements, &certificate->witness[1]);
 }
