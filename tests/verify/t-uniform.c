@@ -64,6 +64,9 @@ static void check_agreement(const uniform_subject *z, long valence, int level, l
     CHECK(a.findings.elements == u.findings.elements && a.findings.elements < u.findings.uniform_elements, "valence %ld: %ld elements, %ld after the uniform method, %ld in it",
           valence, a.findings.elements, u.findings.elements, u.findings.uniform_elements);
     CHECK(a.certificate.length == u.certificate.length && !memcmp(a.certificate.bytes, u.certificate.bytes, a.certificate.length), "valence %ld: other certificates", valence);
+    for (int i = 0; i < u.findings.attempt_count; i++) /* the search for trees */
+        if (!strcmp(u.findings.attempts[i].test, "regularity") && strcmp(u.findings.attempts[i].system, "grid"))
+            CHECK(u.findings.attempts[i].max_level == level, "valence %ld: trees as deep as %d were sought", valence, u.findings.attempts[i].max_level);
     CHECK(!strcmp(decision_obstacle(&u)->system, "grid"), "valence %ld: proved without a replay of the certificate", valence);
     decision_clear(&u);
     decision_clear(&a);

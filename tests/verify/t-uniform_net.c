@@ -18,8 +18,10 @@ enum { PRECISION = 64, DEEP = 5, CASES = 4 };
 
 /* 1 - 6s, 1/2 - 2s, 2s, s with s = 3/32: between Loop's scheme (1/16) and the end of those without negative weights (1/8). */
 #define BLUNT_TEXT SCHEME_TEXT("(0,0) 7/16\n(1,0) 5/16\n(1,1) 3/16\n(2,0) 3/32\n", "1/2")
-enum { LOOP, BUTTERFLY, BLUNT, MASKS };
-static const char *const masks[MASKS] = {LOOP_TEXT, BUTTERFLY_TEXT, BLUNT_TEXT};
+/* Butterfly with w = 1/14 in place of 1/16: differences of derivatives may grow in a step. */
+#define TENSE_TEXT SCHEME_TEXT("(0,0) 1\n(1,0) 1/2\n(1,1) 1/7\n(1,2) -1/14\n", "1")
+enum { LOOP, BUTTERFLY, BLUNT, TENSE, MASKS };
+static const char *const masks[MASKS] = {LOOP_TEXT, BUTTERFLY_TEXT, BLUNT_TEXT, TENSE_TEXT};
 
 /* A regular scheme, and what the method knows of it. */
 typedef struct {
@@ -266,7 +268,7 @@ static double check_errors(const setting *s, const sector_net *net, int which)
 /* And not by miles: errors that were much smaller would be seen to be wrong. */
 static void test_errors(void)
 {
-    static const double near[MASKS] = {[LOOP] = 0.1, [BUTTERFLY] = 0.02, [BLUNT] = 0.1};
+    static const double near[MASKS] = {[LOOP] = 0.1, [BUTTERFLY] = 0.02, [BLUNT] = 0.1, [TENSE] = 0.01};
     double worst[MASKS][RING_NETS] = {{0}};
     test_begin("uniform-net-errors");
     for (test_cases(CASES); test_next();)
@@ -284,34 +286,40 @@ static void test_errors(void)
     test_end();
 }
 
-/* Butterfly's first differences do not contract in one step, and (4.27) needs as many levels as steps. */
+/* As long as no number of steps contracts, there is no error: derivatives of both masks need 2, with norms 1 and
+   above 1 for 1. */
 static void test_first_levels(void)
 {
-    const setting *s = &settings[BUTTERFLY];
-    sector_net net;
-    uniform_net u;
     test_begin("uniform-net-first-levels");
-    make_net(&net, s);
-    fill_random(&net);
-    make_uniform(&u, s, &net, RING_FIRST);
-    CHECK(!number_is_finite(&u.error[0]), "an error at level 0, without a norm below 1");
-    refine(&u);
-    CHECK(number_is_finite(&u.error[0]), "no error at level 1");
-    uniform_net_clear(&u);
-    sector_net_free(&net);
+    for (int k = BUTTERFLY; k <= TENSE; k += TENSE - BUTTERFLY) {
+        const norm_list *norms = &settings[k].bounds.contraction[RING_FIRST];
+        int steps = norm_list_first_contraction(norms);
+        sector_net net;
+        uniform_net u;
+        make_net(&net, &settings[k]);
+        set_point(&net, 2, 1, 1, 1);
+        make_uniform(&u, &settings[k], &net, RING_FIRST);
+        CHECK(steps == 2 && rational_cmp_si(&norms->norm[1], 1, 1) == (k == TENSE), "mask %d contracts in %d steps", k, steps);
+        for (; u.level < steps - 1 && !test_failed(); refine(&u))
+            CHECK(!number_is_finite(&u.error[0]) && !number_is_finite(&u.error[1]), "mask %d: an error at level %d", k, u.level);
+        CHECK(number_is_finite(&u.error[0]) && number_is_finite(&u.error[1]), "mask %d: no error at level %d", k, u.level);
+        uniform_net_clear(&u);
+        sector_net_free(&net);
+    }
     test_end();
 }
 
 /* ---- the tests of one level ---- */
 
-/* A map of the plane that turns by 2 pi/3 with a sector: z^2 + c conj(z)^4, or d z^8. */
-static void fill_map(sector_net *net, double square, double conjugate, double eighth)
+/* A map of the plane that turns by 2 pi/3 with a sector, z^2 + c conj(z)^4 or d z^8; turned itself. */
+static void fill_map(sector_net *net, double square, double conjugate, double eighth, double turn)
 {
     for (int a = 1; a <= net->rings; a++)
         for (int b = 0; a + b <= net->rings; b++) {
             double r = hypot(a + 0.5 * b, sqrt(0.75) * b), w = atan2(sqrt(0.75) * b, a + 0.5 * b);
             double p = square * r * r, q = conjugate * r * r * r * r, e = eighth * pow(r, 8);
-            set_point(net, a, b, p * cos(2 * w) + q * cos(4 * w) + e * cos(8 * w), p * sin(2 * w) - q * sin(4 * w) + e * sin(8 * w));
+            double x = p * cos(2 * w) + q * cos(4 * w) + e * cos(8 * w), y = p * sin(2 * w) - q * sin(4 * w) + e * sin(8 * w);
+            set_point(net, a, b, x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn));
         }
 }
 
@@ -323,11 +331,11 @@ typedef struct {
     analysis analysis;
 } bench;
 
-static void bench_make(bench *z, const setting *s, double square, double conjugate, double eighth)
+static void bench_make(bench *z, const setting *s, double square, double conjugate, double eighth, double turn)
 {
     memset(z, 0, sizeof *z);
     make_net(&z->net, s);
-    fill_map(&z->net, square, conjugate, eighth);
+    fill_map(&z->net, square, conjugate, eighth, turn);
     for (int i = 0; i < RING_NETS; i++)
         make_uniform(&z->uniform[i], s, &z->net, i);
     findings_init(&z->findings);
@@ -366,7 +374,7 @@ static void check_answer(int mask, const char *map, double square, double conjug
 {
     bench z;
     outcome o;
-    bench_make(&z, &settings[mask], square, conjugate, eighth);
+    bench_make(&z, &settings[mask], square, conjugate, eighth, 0);
     o = answer(&z, test, mask == LOOP ? 8 : 6);
     CHECK(o == expected, "%s of %s is %s, not %s: %s", words, map, outcome_name(o), outcome_name(expected), findings_last(&z.findings)->reason);
     bench_clear(&z);
@@ -384,6 +392,37 @@ static void test_windings(void)
     test_end();
 }
 
+/* The place of a direction on the unit square, counter-clockwise from (1,0). */
+static double place_of(double angle)
+{
+    double turns = floor(angle / (2 * PI)), w = angle - 2 * PI * turns, x = cos(w), y = sin(w);
+    double along = fabs(y) >= fabs(x) ? (y > 0 ? 2 - x / y : 6 - x / y) : x > 0 ? (y < 0 ? 8 + y / x : y / x) : 4 + y / x;
+    return 8 * turns + along;
+}
+
+/* One sector of z^2, turned so that it begins anywhere: all pairs of sides occur, and the length must be right. */
+static void test_lengths(void)
+{
+    test_begin("uniform-lengths");
+    for (test_cases(200); test_next();) {
+        double turn = PI * random_unit(), right = place_of(turn + 2 * PI / 3) - place_of(turn), length;
+        long levels = random_range(1, 3);
+        bench z;
+        outcome o;
+        bench_make(&z, &settings[LOOP], 1, 0, 0, turn);
+        for (long m = 0; m < levels; m++)
+            refine(&z.uniform[RING_VALUES]);
+        for (int c = 0; c < 2; c++) /* the length is that of the polygon, whatever the error */
+            number_zero(&z.uniform[RING_VALUES].error[c]);
+        o = test_uniform_injectivity(&z.analysis);
+        length = findings_last(&z.findings)->bound;
+        CHECK(o == OUTCOME_UNDEFINED || fabs(length - right) < 1e-6, "turned by %g, level %ld: length %.9g, not %.9g", turn, levels, length, right);
+        CHECK(o == OUTCOME_TRUE || (o == OUTCOME_UNDEFINED && levels == 1), "turned by %g, level %ld: %s", turn, levels, findings_last(&z.findings)->reason);
+        bench_clear(&z);
+    }
+    test_end();
+}
+
 /* z^2 + c conj(z)^4 has the Jacobian 4 |z|^2 - 16 c^2 |z|^6, positive where 2 c |z|^2 < 1, and zeros where c |z|^2 = 1; the ring is
    1 <= |z| <= 2 for Loop's scheme and 2 <= |z| <= 4 for Butterfly, roughly.  (Subdivision hardly changes harmonic functions.) */
 static void test_signs(void)
@@ -394,6 +433,48 @@ static void test_signs(void)
     check_answer(LOOP, "z^2 + conj(z)^4 / 4", 1, 0.25, 0, "regularity", test_uniform_regularity, OUTCOME_FALSE);
     check_answer(LOOP, "conj(z)^4", 0, 1, 0, "regularity", test_uniform_regularity, OUTCOME_FALSE);
     check_answer(LOOP, "0", 0, 0, 0, "regularity", test_uniform_regularity, OUTCOME_UNDEFINED);
+    test_end();
+}
+
+/* The label of the triangle's edge in direction d: the corner p such that p + d is a corner, too. */
+static lattice find_edge(const element *e, lattice d)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            lattice p = element_get_vertex(e->type, i), q = element_get_vertex(e->type, j);
+            if (q.a - p.a == d.a && q.b - p.b == d.b)
+                return (lattice){e->a + p.a, e->b + p.b};
+        }
+    CHECK(false, "a triangle without an edge in direction (%d,%d)", d.a, d.b);
+    return (lattice){0, 0};
+}
+
+/* Each triangle counts, with its own edges: the least Jacobian of random derivatives, without errors. */
+static void test_triangles(void)
+{
+    static const lattice e1 = {1, 0}, e2 = {0, 1};
+    test_begin("uniform-triangles");
+    for (test_cases(300); test_next();) {
+        const setting *s = &settings[random_bool() ? LOOP : BUTTERFLY];
+        double least = INFINITY;
+        bench z;
+        bench_make(&z, s, 1, 0, 0, 0);
+        for (int i = RING_FIRST; i <= RING_SECOND; i++)
+            for (int c = 0; c < 2; c++) {
+                number_zero(&z.uniform[i].error[c]);
+                for (int j = 0; j < z.uniform[i].count; j++)
+                    number_set_double(&z.uniform[i].value[c][j], (c == i - RING_FIRST ? 2 : 0) + random_unit(), PRECISION);
+            }
+        for (int i = 0; i < s->problem.geometry.element_count; i++) {
+            const element *e = &s->problem.geometry.elements[i];
+            lattice p = find_edge(e, e1), q = find_edge(e, e2);
+            least = fmin(least, at(&z.uniform[RING_FIRST], 0, p.a, p.b) * at(&z.uniform[RING_SECOND], 1, q.a, q.b)
+                                    - at(&z.uniform[RING_FIRST], 1, p.a, p.b) * at(&z.uniform[RING_SECOND], 0, q.a, q.b));
+        }
+        test_uniform_regularity(&z.analysis);
+        CHECK(fabs(findings_last(&z.findings)->bound - least) < 1e-9, "the least Jacobian is %.9g, not %.9g", findings_last(&z.findings)->bound, least);
+        bench_clear(&z);
+    }
     test_end();
 }
 
@@ -415,7 +496,7 @@ static void test_wide(void)
     test_begin("uniform-wide");
     number_init(&radius);
     number_set_double(&radius, 0.25, PRECISION);
-    bench_make(&z, &settings[BUTTERFLY], 1, 0, 0);
+    bench_make(&z, &settings[BUTTERFLY], 1, 0, 0, 0);
     for (int m = 0; m < 4; m++)
         for (int i = 0; i < RING_NETS; i++)
             refine(&z.uniform[i]);
@@ -444,7 +525,9 @@ static void tests(void)
     test_errors();
     test_first_levels();
     test_windings();
+    test_lengths();
     test_signs();
+    test_triangles();
     test_isolation();
     test_wide();
     clear_settings();
