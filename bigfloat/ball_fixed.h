@@ -42,7 +42,7 @@
         }                    \
     } while (0)
 
-/* a >> s and a << s for 0 <= s <= 64 */
+/* a >> s for 0 <= s <= 64 */
 FIXED_INLINE limb_t fixed_right(limb_t a, unsigned s) { return s < 64 ? a >> s : 0; }
 
 /* w[0..n] = a b (first) or w[0..n-1] + a b */

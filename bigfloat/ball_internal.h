@@ -87,6 +87,9 @@ static inline limb_t *ball_scratch_new(ball_scratch *s, size_t n)
 }
 static inline void ball_scratch_free(ball_scratch *s) { free(s->heap); }
 
+/* ball_dot_strided where it is simple: false, and z is as before, if it is not (ball_dot_even.c). */
+bool ball_dot_even(ball *z, const ball *x, long xs, const ball *y, long ys, size_t N, long prec);
+
 /* ---- thin numbers: +- w 2^e, compared exactly ---- */
 
 typedef struct {

@@ -133,22 +133,25 @@ void complex_ball_norm(ball *r, const complex_ball *x, long prec)
     ball_clear(&t);
 }
 
-/* The sum of squares may dip below 0 by its rounding: cut there. */
+/* If the sum of squares may be 0, or dips below by its rounding, |x| is in [0, sqrt(upper)]. */
 void complex_ball_abs(ball *r, const complex_ball *x, long prec)
 {
-    ball t, u;
+    ball t;
     ball_init(&t);
-    ball_init(&u);
     complex_ball_norm(&t, x, prec + 8);
-    if (ball_is_negative(&t) != TRUTH_FALSE && ball_is_finite(&t)) {
-        ball_upper(&t, &t, prec + 8); /* |x| is in [0, sqrt(upper)] */
+    if (ball_contains_zero(&t) && ball_is_finite(&t) && !ball_is_exact_zero(&t)) {
+        limb_t w;
+        int64_t k;
+        ball_upper(&t, &t, prec + 8);
         ball_sqrt(&t, &t, prec);
-        ball_upper(&t, &t, prec);
-        ball_hull(r, &t, &u, prec);
+        ball_magnitude_word(&w, &k, &t);
+        if (ball_is_finite(&t))
+            ball_set_from_zero(r, w, t.exponent + k);
+        else
+            ball_set(r, &t);
     } else
         ball_sqrt(r, &t, prec);
     ball_clear(&t);
-    ball_clear(&u);
 }
 
 void complex_ball_inv(complex_ball *z, const complex_ball *x, long prec)
@@ -216,7 +219,8 @@ void complex_ball_sqrt(complex_ball *z, const complex_ball *x, long prec)
         return;
     }
     if (!right && !above && !below) {
-        complex_ball_indeterminate(z);
+        ball_indeterminate_like(&z->re, &x->re, &x->im);
+        ball_set(&z->im, &z->re);
         return;
     }
     const long working = prec + 8;

@@ -94,17 +94,13 @@ bool fraction_sin_small(draft *s, const angle *x)
     return ok;
 }
 
-/* s = floor(sqrt(w)) for w < 1 in p[n ... 2 n - 1]; p has 5 n + 1 limbs of space. */
+/* s = floor(sqrt(w)) for 0 < w < 1 in p[n ... 2 n - 1]; p has 5 n + 1 limbs of space. */
 static bool root(limb_t *s, size_t n, limb_t *p)
 {
     const limb_t *w = p + n;
     limb_zero(p, n);
     size_t zeros = 64 * n - limb_bit_length(w, n), even = zeros & ~(size_t)1, down = even / 2;
     limb_t *a = p + 2 * n, *r = a + 2 * n;
-    if (zeros == 64 * n) {
-        limb_zero(s, n);
-        return true;
-    }
     limb_zero(a, even / 64);
     limb_shift_left(a + even / 64, p, 2 * n - even / 64, (unsigned)(even % 64));
     if (!limb_sqrt_rem(s, r, a, n))

@@ -11,7 +11,7 @@
 #define LIMB_KARATSUBA_SQUARE 44
 
 #if LIMB_HAVE_ADX
-static void multiply_adx(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb)
+static inline void multiply_adx(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb)
 {
     z[na] = limb_mul_1_adx(z, a, na, b[0]);
     for (size_t i = 1; i < nb; i++)
@@ -19,14 +19,59 @@ static void multiply_adx(limb_t *z, const limb_t *a, size_t na, const limb_t *b,
 }
 #endif
 
+/* Both of n limbs, n known to the compiler. */
+#if defined(__GNUC__)
+__attribute__((always_inline))
+#endif
+static inline void multiply_fixed(limb_t *z, const limb_t *a, const limb_t *b, const size_t n)
+{
+    limb_t carry = 0;
+#pragma GCC unroll 8
+    for (size_t j = 0; j < n; j++)
+        z[j] = limb_muladd(a[j], b[0], 0, &carry);
+    z[n] = carry;
+#pragma GCC unroll 8
+    for (size_t i = 1; i < n; i++) {
+        carry = 0;
+#pragma GCC unroll 8
+        for (size_t j = 0; j < n; j++)
+            z[i + j] = limb_muladd(a[j], b[i], z[i + j], &carry);
+        z[n + i] = carry;
+    }
+}
+
+/* Up to 7 limbs the compiler's own code is the fastest; then rows of four words. */
+static bool multiply_short(limb_t *z, const limb_t *a, const limb_t *b, size_t n)
+{
+    switch (n) {
+    case 1: multiply_fixed(z, a, b, 1); return true;
+    case 2: multiply_fixed(z, a, b, 2); return true;
+    case 3: multiply_fixed(z, a, b, 3); return true;
+    case 4: multiply_fixed(z, a, b, 4); return true;
+    case 5: multiply_fixed(z, a, b, 5); return true;
+    case 6: multiply_fixed(z, a, b, 6); return true;
+    case 7: multiply_fixed(z, a, b, 7); return true;
+    default: return false;
+    }
+}
+
 void limb_multiply_basecase(limb_t *z, const limb_t *a, size_t na, const limb_t *b, size_t nb)
 {
+    if (na == nb && multiply_short(z, a, b, na))
+        return;
 #if LIMB_HAVE_ADX
     if (na >= 4 && limb_processor_has_adx()) {
-        multiply_adx(z, a, na, b, nb);
+        if (na == 8 && nb == 8)
+            multiply_adx(z, a, 8, b, 8);
+        else
+            multiply_adx(z, a, na, b, nb);
         return;
     }
 #endif
+    if (na == 8 && nb == 8) {
+        multiply_fixed(z, a, b, 8);
+        return;
+    }
     z[na] = limb_mul_1(z, a, na, b[0]);
     for (size_t i = 1; i < nb; i++)
         z[na + i] = limb_addmul_1(z + i, a, na, b[i]);

@@ -25,6 +25,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/ball.c \
   bigfloat/ball_add.c \
   bigfloat/ball_mul.c \
+  bigfloat/ball_dot_even.c \
   bigfloat/ball_dot.c \
   bigfloat/ball_div.c \
   bigfloat/ball_compare.c \
@@ -48,9 +49,9 @@ BIGFLOAT_SOURCES = \
   \
   bigfloat/interval.h \
   bigfloat/interval.c \
-  bigfloat/interval_self_test.c \
   bigfloat/interval_batch.h \
   bigfloat/interval_batch.c \
+  bigfloat/interval_self_test.c \
   \
   bigfloat/grid.h bigfloat/grid_internal.h \
   bigfloat/grid.c \

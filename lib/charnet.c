@@ -58,6 +58,7 @@ static block_status extend(sector_net *wide, const sector_net *net, int known, i
     subdivide_status s = scheme_subdivide(wide, net, numbers, upto);
     if (s != SUBDIVIDE_OK)
         return block_from_subdivide(s);
+    number_set(&wide->centre, &net->centre);
     for (int a = 1; a <= upto; a++)
         for (int b = 0; b <= upto; b++) {
             number *x = &wide->x[sector_index(wide, a, b)], *y = &wide->y[sector_index(wide, a, b)];
@@ -88,7 +89,7 @@ block_status charnet_make(sector_net *net, const block *b, const number *box, co
     block_status s = BLOCK_OK;
     int known = b->rings;
     divisor eigenvalue;
-    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, &b->twist))
+    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, b->m ? &b->twist : NULL))
         return BLOCK_NO_MEMORY;
     block_net(net, b, box, b->imaginary ? &box[b->n] : NULL, numbers->prec);
     divisor_init(&eigenvalue, b, box, numbers->prec);

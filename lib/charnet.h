@@ -10,8 +10,8 @@
 #define charnet_windows_make NUMBER_NAME(charnet_windows_make)
 #define charnet_windows_free NUMBER_NAME(charnet_windows_free)
 
-/* net = the eigenvector `box` of the block b, m >= 1, extended to `rings` rings (those of b at least) by the scheme itself:
-   V = S V / eigenvalue.  In real form box holds the n components x, then the eigenvalue; in complex form n real parts, n
+/* net = the eigenvector `box` of the block b extended to `rings` rings (those of b at least) by the scheme itself:
+   V = S V / eigenvalue.  In real form and for m = 0 box holds the n components x, then the eigenvalue; in complex form n real parts, n
    imaginary parts, then those of the eigenvalue (lib/eigenpair.h).  The numbers must be set to b's frequency.
    net->twist is b's.  On any status sector_net_free. */
 block_status charnet_make(sector_net *net, const block *b, const number *box, const scheme_numbers *numbers, int rings);

@@ -11,20 +11,26 @@ typedef struct {
     spectral_answer answer;
 } box_answer;
 
-/* The one proof: the blocks of the frequencies m, squared at least `least` and at most `limit` times. */
-static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, diagnostic *d)
+/* sharpen: least = 0. */
+static spectral_answer contract(const number *matrix, const number *scale, int size, int least, int limit, bool sharpen, long prec)
 {
-    box_answer z = {BLOCK_OK, {TRUTH_UNKNOWN, 0, false}};
+    return sharpen ? spectral_contraction_sharp(matrix, scale, size, limit, prec) : spectral_contraction(matrix, scale, size, least, limit, prec);
+}
+
+/* The blocks of the frequencies m, squared at least `least` and at most `limit` times. */
+static box_answer prove_range(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, bool sharpen, diagnostic *d)
+{
+    box_answer z = {BLOCK_OK, {TRUTH_UNKNOWN, 0, false, INFINITY}};
     block b;
     z.status = block_make_range(&b, numbers, m, numbers->scheme->mirror_symmetric, d);
     if (z.status == BLOCK_OK && !b.imaginary) {
-        z.answer = spectral_contraction(b.entry, scale, b.n, least, limit, numbers->prec);
+        z.answer = contract(b.entry, scale, b.n, least, limit, sharpen, numbers->prec);
     } else if (z.status == BLOCK_OK) {
         int size;
         number *matrix = block_real_matrix(&size, &b);
         z.answer.contracts = TRUTH_FALSE;
         if (matrix) {
-            z.answer = spectral_contraction(matrix, scale, size, least, limit, numbers->prec);
+            z.answer = contract(matrix, scale, size, least, limit, sharpen, numbers->prec);
             number_array_free(matrix, (size_t)size * (size_t)size);
         }
     }
@@ -32,6 +38,28 @@ static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number
         z.status = BLOCK_NO_MEMORY;
     block_free(&b);
     return z;
+}
+
+/* The one proof.  A weight may have too long an exact value at one frequency, such as 2^-m, and an enclosure over two of
+   them; what is proved of both holds for one. */
+static box_answer prove_box(scheme_numbers *numbers, frequencies m, const number *scale, int least, int limit, bool sharpen, diagnostic *d)
+{
+    box_answer z = prove_range(numbers, m, scale, least, limit, sharpen, d);
+    if (z.status == BLOCK_BAD_INPUT && m.first == m.last && m.first > 1) {
+        diagnostic unused;
+        box_answer two = prove_range(numbers, (frequencies){m.first - 1, m.last}, scale, least, limit, sharpen, &unused);
+        if (two.status == BLOCK_OK)
+            return two;
+    }
+    return z;
+}
+
+static void note_radius(cover_answer *z, const box_answer *b, frequencies m)
+{
+    if (b->answer.radius > z->radius) {
+        z->radius = b->answer.radius;
+        z->largest = m.first;
+    }
 }
 
 static void leave_open(cover_answer *z, frequencies m)
@@ -71,13 +99,13 @@ static void after_failure(stride *s, long width)
 
 cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_limits *limits, diagnostic *d)
 {
-    cover_answer z = {BLOCK_OK, true, {0, 0}, false, 0};
+    cover_answer z = {.status = BLOCK_OK, .proved = true};
     stride s = {1, 2, false};
     long failures = 0, skip = 1; /* failures in a row leave more and more open */
     while (m.first <= m.last) {
         long width = clip(s.width, m.last - m.first + 1);
         frequencies here = {m.first, m.first + width - 1};
-        box_answer b = prove_box(numbers, here, scale, 0, limits->power, d);
+        box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
         bool proved = b.answer.contracts == TRUTH_TRUE;
         z.tries++;
         z.status = b.status;
@@ -87,8 +115,10 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
             after_failure(&s, width);
             continue;
         }
+        z.exhausted = z.tries >= limits->tries && !proved;
         if (proved) {
             after_success(&s, width);
+            note_radius(&z, &b, here);
             skip = 1;
         } else {
             z.diverges = z.diverges || (width == 1 && b.answer.diverges);
@@ -113,7 +143,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
 
 cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d)
 {
-    cover_answer z = {BLOCK_OK, true, {0, 0}, false, 0};
+    cover_answer z = {.status = BLOCK_OK, .proved = true};
     if (!cover_list_partitions(list, m)) {
         leave_open(&z, m);
         return z;
@@ -125,13 +155,15 @@ cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const
             leave_open(&z, box->m);
             continue;
         }
-        b = prove_box(numbers, box->m, scale, box->power, box->power, d);
+        b = prove_box(numbers, box->m, scale, box->power, box->power, false, d);
         z.tries++;
         z.status = b.status;
         if (b.status != BLOCK_OK)
             return z;
         if (b.answer.contracts != TRUTH_TRUE)
             leave_open(&z, box->m);
+        else
+            note_radius(&z, &b, box->m);
     }
     return z;
 }

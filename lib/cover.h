@@ -19,7 +19,10 @@ typedef struct {
     bool proved;         /* for the whole range */
     frequencies open;    /* if not: from the first to the last frequency that was left open */
     bool diverges;       /* a hint: a single block has certainly no eigenvalues that small */
+    double radius;       /* all eigenvalues of the boxes that are proved are at most radius/scale in modulus, radius <= 1 */
+    long largest;        /* the first frequency of the box for which radius was needed */
     long tries;          /* of boxes */
+    bool exhausted;      /* all that the limits allow: more tries might prove more */
 } cover_answer;
 
 /* How long cover_search looks. */
@@ -27,6 +30,7 @@ typedef struct {
     long tries; /* of boxes */
     long open;  /* it goes on behind a frequency that fails, this often; 0: it stops there */
     int power;
+    bool sharpen; /* some more work for a smaller radius */
 } cover_limits;
 
 /* Finds a list of boxes for 1 <= first <= m <= last <= k/2 such that cover_verify proves that all eigenvalues of their

@@ -215,6 +215,8 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
     workspace w;
     number radius;
     truth proved = TRUTH_FALSE;
+    if (choice->complex_form && (choice->n % 2 || choice->pivot >= choice->n / 2))
+        return TRUTH_UNKNOWN; /* a choice that somebody else made */
     number_init(&radius);
     if (workspace_make(&w, b, choice->n, choice->complex_form, choice->pivot)) {
         load(&w, choice, prec);

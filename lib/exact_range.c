@@ -1,4 +1,5 @@
-/* exact_range.c: interval arithmetic whose endpoints are exact. */
+/* exact_range.c: affine functions of m, whose values lie between those at the ends of a range.  (What is not affine is
+   left to enclosures: lib/scheme.md, "Ranges of m".) */
 #include "exact_range.h"
 
 #include <stdlib.h>
@@ -70,72 +71,33 @@ static bool combine(exact_range *z, bool *known, const exact_range *x, char op, 
     return !*known || combine_corners(z, x, op, y);
 }
 
-/* x^n, n >= 1, where the powers stay small. */
-static bool raise(exact_range *x, bool *known, long n)
-{
-    size_t bits = integer_bits(&x->low.numerator) + integer_bits(&x->low.denominator) + integer_bits(&x->high.numerator) + integer_bits(&x->high.denominator);
-    bool has_zero = rational_sign(&x->low) < 0 && rational_sign(&x->high) > 0, ok;
-    exact_range result;
-    rational q;
-    *known = !x->is_angle && n >= 1 && n < EXACT_MAX_BITS && bits * (size_t)n < EXACT_MAX_BITS;
-    if (!*known)
-        return true;
-    exact_range_init(&result);
-    rational_init(&q); /* 0 */
-    ok = (n % 2 == 1 || !has_zero || include(&result, &q, true)) && rational_pow(&q, &x->low, n) && include(&result, &q, !(n % 2 == 0 && has_zero))
-         && rational_pow(&q, &x->high, n) && include(&result, &q, false);
-    rational_swap(&x->low, &result.low);
-    rational_swap(&x->high, &result.high);
-    exact_range_clear(&result);
-    rational_clear(&q);
-    return ok;
-}
-
-/* x mod n lies in 0..n-1. */
-static bool reduce(exact_range *z, bool *known, const exact_range *x, const exact_range *n)
-{
-    *known = !x->is_angle && !n->is_angle && rational_equal(&n->low, &n->high) && rational_is_integer(&n->low) && rational_sign(&n->low) > 0;
-    if (!*known)
-        return true;
-    z->is_angle = false;
-    return rational_set_si(&z->high, -1, 1) && rational_add(&z->high, &z->high, &n->low) && rational_set_si(&z->low, 0, 1);
-}
-
-/* z = the least or greatest of both. */
-static bool choose(exact_range *z, bool *known, formula_kind kind, const exact_range *y)
-{
-    int wanted = kind == FORMULA_MIN ? 1 : -1;
-    *known = z->is_angle == y->is_angle;
-    return !*known || ((rational_cmp(&z->low, &y->low) != wanted || rational_set(&z->low, &y->low)) && (rational_cmp(&z->high, &y->high) != wanted || rational_set(&z->high, &y->high)));
-}
-
 static bool is_short(const exact_range *x)
 {
     return integer_bits(&x->low.numerator) <= EXACT_MAX_BITS && integer_bits(&x->low.denominator) <= EXACT_MAX_BITS && integer_bits(&x->high.numerator) <= EXACT_MAX_BITS
            && integer_bits(&x->high.denominator) <= EXACT_MAX_BITS;
 }
 
+/* Is the node affine in m if its operands are?  A factor or divisor must not depend on m, then. */
+static bool is_affine(const formula *f)
+{
+    bool first = (f->child[0]->depends & FORMULA_ON_FREQUENCY) != 0, second = f->children > 1 && (f->child[1]->depends & FORMULA_ON_FREQUENCY) != 0;
+    switch (f->kind) {
+    case FORMULA_NEGATE:
+        return true;
+    case FORMULA_BINARY:
+        return f->op == '+' || f->op == '-' || (f->op == '*' ? !(first && second) : !second);
+    default:
+        return false;
+    }
+}
+
 /* A node whose operands are z and y. */
 static bool apply(exact_range *z, bool *known, const formula *f, const exact_range *y)
 {
-    switch (f->kind) {
-    case FORMULA_NEGATE:
-        rational_swap(&z->low, &z->high);
-        return rational_neg(&z->low, &z->low) && rational_neg(&z->high, &z->high);
-    case FORMULA_BINARY:
+    if (f->kind == FORMULA_BINARY)
         return combine(z, known, z, f->op, y);
-    case FORMULA_POWER:
-        *known = !y->is_angle && rational_equal(&y->low, &y->high) && rational_is_integer(&y->low) && integer_fits_si(&y->low.numerator);
-        return !*known || raise(z, known, (long)integer_get_si(&y->low.numerator));
-    case FORMULA_MODULO:
-        return reduce(z, known, z, y);
-    case FORMULA_MIN:
-    case FORMULA_MAX:
-        return choose(z, known, f->kind, y);
-    default:
-        *known = false;
-        return true;
-    }
+    rational_swap(&z->low, &z->high);
+    return rational_neg(&z->low, &z->low) && rational_neg(&z->high, &z->high);
 }
 
 /* Operations on one operand or from the left on several. */
@@ -144,7 +106,7 @@ static bool fold(exact_range *z, bool *known, const formula *f, const formula_po
     exact_range y;
     bool ok = true;
     exact_range_init(&y);
-    *known = f->children > 0;
+    *known = f->children > 0 && is_affine(f);
     for (int i = 0; ok && *known && i < f->children; i++) {
         ok = formula_exact_range(i ? &y : z, known, f->child[i], at, m);
         if (ok && *known && (i > 0 || f->children == 1))

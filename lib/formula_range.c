@@ -124,28 +124,21 @@ static status power_between(number *z, const rational *x, long low, long high, c
     return s;
 }
 
-/* x^n for an exact x not 0 that does not depend on m, and whole n from low to high: |x|^n is monotone in n. */
+/* x^n for an exact x > 0 that does not depend on m, and whole n from low to high: it is monotone in n. */
 static status power_of_constant(number *z, const rational *x, long low, long high, const context *c)
 {
     rational size;
-    number minus;
     status s = STATUS_NO_MEMORY;
     rational_init(&size);
-    number_init(&minus);
-    if (rational_abs(&size, x)) {
+    if (rational_set(&size, x)) {
         if (rational_cmp_si(&size, 1, 1) == 0)
             s = (number_one(z), STATUS_OK);
         else if (rational_cmp_si(&size, 1, 1) > 0)
             s = power_between(z, &size, low, high, c);
         else if (rational_inv(&size, &size))
             s = power_between(z, &size, -high, -low, c);
-        if (rational_sign(x) < 0) {
-            number_neg(&minus, z);
-            number_hull(z, z, &minus, c->prec);
-        }
     }
     rational_clear(&size);
-    number_clear(&minus);
     return s;
 }
 
@@ -177,7 +170,7 @@ static status power(number *z, const formula *f, const context *c)
     if (!formula_exact_range(&exponent, &known, f->child[1], c->at, c->m) || !formula_exact_range(&base, &base_known, f->child[0], c->at, c->m))
         s = STATUS_NO_MEMORY;
     known = known && !exponent.is_angle && is_whole(&exponent.low) && is_whole(&exponent.high);
-    base_known = base_known && !base.is_angle && rational_equal(&base.low, &base.high) && !rational_is_zero(&base.low);
+    base_known = base_known && !base.is_angle && !(f->child[0]->depends & FORMULA_ON_FREQUENCY) && rational_sign(&base.low) > 0;
     if (s == STATUS_OK) {
         long low = known ? (long)integer_get_si(&exponent.low.numerator) : 0, high = known ? (long)integer_get_si(&exponent.high.numerator) : 0;
         if (known && base_known)

@@ -5,7 +5,7 @@ LIB_SOURCES = \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
-  lib/formula.h lib/formula.c lib/formula_read.c \
+  lib/formula.h lib/formula.c lib/formula_form.c lib/formula_read.c \
   lib/exact_range.h lib/exact_range.c \
   lib/text.h lib/text.c \
   lib/mesh.h lib/mesh.c \
@@ -16,10 +16,11 @@ LIB_SOURCES = \
   lib/stability.h lib/stability.c \
   lib/regular_refutation.h lib/regular_refutation.c \
   lib/scheme.h lib/scheme.c \
-  lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \
+  lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
+  lib/bernstein.h lib/bernstein.c \
   lib/influence.h lib/influence.c \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \

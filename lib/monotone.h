@@ -27,20 +27,25 @@
 #include "monotone_list.h"
 
 #define monotone_search NUMBER_NAME(monotone_search)
+#define monotone_direction NUMBER_NAME(monotone_direction)
 #define monotone_verify NUMBER_NAME(monotone_verify)
 
 typedef struct {
     block_status status; /* BLOCK_OK, or what was wrong with the scheme, or BLOCK_NO_MEMORY: then no more is said */
     bool proved;         /* of a search: the chain has at least one range */
     long end;            /* how far the chain goes: a_n */
-    double upper;        /* L_(a_n) is at most this large */
+    double last_approx;  /* about L_(a_n), in a search */
     long tries;          /* of ranges */
 } monotone_answer;
 
 /* Finds a chain from `start`, to larger frequencies (forward) or smaller ones, which ends at `goal` at the latest; mirror-
-   symmetric schemes only, 1 <= start, goal <= k/2.  It ends earlier when it has `most` ranges, or where two neighbours
-   cannot be proved to be in order.  The list is empty before and the caller's. */
-monotone_answer monotone_search(monotone_list *list, const scheme_numbers *numbers, long start, long goal, size_t most, diagnostic *d);
+   symmetric schemes only, 1 <= start, goal <= k/2.  It ends earlier when it has `most` ranges, when about L_(a_n) < enough,
+   or where two neighbours cannot be proved to be in order.  The list is empty before and the caller's. */
+monotone_answer monotone_search(monotone_list *list, const scheme_numbers *numbers, long start, long goal, size_t most, double enough, diagnostic *d);
+
+/* Encloses an eigenvalue L of block m that is real, simple and about the largest, and proves on which side of m it is
+   larger: *sign = 1, dL/du > 0: for smaller frequencies; -1: for larger ones; 0: not proved, and nothing is enclosed. */
+block_status monotone_direction(number *eigenvalue, int *sign, const scheme_numbers *numbers, long m, diagnostic *d);
 
 /* Proves that the list is such a chain. */
 monotone_answer monotone_verify(const monotone_list *list, const scheme_numbers *numbers, long start, bool forward, diagnostic *d);

@@ -18,6 +18,9 @@
 #define SCHEME_MAX_STEPS 34
 #define SCHEME_MAX_RULES 16
 #define SCHEME_MAX_SOURCES 32
+/* The operations of all formulas together, definitions written out, repetitions counted: exact arithmetic does
+   that many in about a second, on the longest rationals. */
+#define SCHEME_MAX_OPERATIONS 20000
 
 typedef enum {
     SOURCE_CENTRE,   /* the extraordinary vertex */

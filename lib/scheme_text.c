@@ -33,18 +33,20 @@ static const char *setting_for(const scheme_settings *settings, const text_line 
 {
     static const char word[] = "parameter ";
     size_t start = sizeof word - 1, end = start, equals;
+    const char *found = NULL;
     if (!settings || line->length <= start || memcmp(line->text, word, start))
         return NULL;
     while (end < line->length && line->text[end] != ' ' && line->text[end] != '=')
         end++;
-    equals = end + (end < line->length && line->text[end] == ' ');
-    *value = equals + 1 + (equals + 1 < line->length && line->text[equals + 1] == ' ');
     for (int i = 0; i < settings->count; i++) {
         const char *s = settings->settings[i];
         if (!strncmp(s, line->text + start, end - start) && s[end - start] == '=')
-            return s + (end - start) + 1;
+            found = s + (end - start) + 1;
     }
-    return NULL;
+    equals = end + (end < line->length && line->text[end] == ' ');
+    if (found)
+        *value = equals + 1 + (equals + 1 < line->length && line->text[equals + 1] == ' ');
+    return found;
 }
 
 status scheme_set_text(scheme_reader *r)

@@ -58,8 +58,50 @@ static void make_indeterminate(pair_matrix *z)
     number_indeterminate(&z->yy);
 }
 
-/* Sum over j of weight(j) t^j; total = the sum of the weights.  High powers of an interval of t are no use: for more
-   than one frequency nothing is known. */
+#if defined(NUMBER_JET)
+/* As a function of u it is not needed. */
+static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
+{
+    (void)e;
+    (void)j;
+    make_indeterminate(z);
+    return true;
+}
+#else
+/* z = t^j for one frequency, from the angle: high powers of an enclosure of t would be no use.  In the real form, where
+   (x, y) is x + i h y with h = sin(w/2), multiplication by c + i s is (c, -h s; s/h, c). */
+static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
+{
+    long m = e->m.first, k = e->z->k;
+    rational angle;
+    number h;
+    bool ok;
+    if (!e->twist) {
+        set_scalar(z, &e->one);
+        return true;
+    }
+    rational_init(&angle);
+    number_init(&h);
+    ok = rational_set_si(&angle, m * j % k, k) && rational_mul_2exp(&angle, &angle, 1);
+    number_cos_pi(&z->xx, &angle, e->z->prec);
+    number_set(&z->yy, &z->xx);
+    number_sin_pi(&z->yx, &angle, e->z->prec);
+    number_neg(&z->xy, &z->yx);
+    if (ok && !e->twist->complex_form) {
+        ok = rational_set_si(&angle, m, k);
+        number_sin_pi(&h, &angle, e->z->prec);
+        number_mul(&z->xy, &h, &z->yx, e->z->prec);
+        number_neg(&z->xy, &z->xy);
+        number_div(&z->yx, &z->yx, &h, e->z->prec);
+    }
+    ok = ok && !number_lacks_memory(&z->yx);
+    rational_clear(&angle);
+    number_clear(&h);
+    return ok;
+}
+#endif
+
+/* Sum over j of weight(j) t^j; total = the sum of the weights.  For more than one frequency nothing is known. */
 static status sum_over_sectors(pair_matrix *z, number *total, const source *s, evaluation *e)
 {
     status result = STATUS_OK;
@@ -74,13 +116,12 @@ static status sum_over_sectors(pair_matrix *z, number *total, const source *s, e
     }
     pair_matrix_init(&power);
     number_init(&weight);
-    set_scalar(&power, &e->one);
     for (e->at.j = 0; result == STATUS_OK && e->at.j < e->z->k; e->at.j++) {
         result = value_of(&weight, s->weight, e);
+        if (result == STATUS_OK && !twist_of_sector(&power, e, e->at.j))
+            result = STATUS_NO_MEMORY;
         add_matrix(z, &weight, &power, e->z->prec);
         number_add(total, total, &weight, e->z->prec);
-        if (e->twist)
-            pair_matrix_multiply(&power, &e->twist->forth, &power, e->z->prec);
     }
     pair_matrix_clear(&power);
     number_clear(&weight);

@@ -35,6 +35,7 @@ LIB_TESTS = \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
+  tests/lib/t-bernstein \
   tests/lib/t-eigen_approx \
   tests/lib/t-schur_approx
 tests_lib_t_formula_LDADD = $(LINK_LIB)
@@ -43,6 +44,7 @@ tests_lib_t_regular_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
+tests_lib_t_bernstein_LDADD = $(LINK_LIB)
 tests_lib_t_eigen_approx_LDADD = $(LINK_LIB)
 tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 
@@ -50,12 +52,14 @@ VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
   tests/verify/t-valences \
+  tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove \
   tests/verify/t-uniform
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
@@ -89,6 +93,7 @@ GENERIC_TESTS = \
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
+  tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
@@ -96,7 +101,8 @@ SCRIPT_TESTS = \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cli.sh \
-  tests/verify/regular.sh
+  tests/verify/regular.sh \
+  tests/verify/spectrum.sh
 
 # Files that tests read.
 EXTRA_DIST += \

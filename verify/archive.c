@@ -1,6 +1,6 @@
 /* archive.c: write, fsync, rename, fsync of the directory. */
 #define _POSIX_C_SOURCE 200809L
-#include "archive.h"
+#include "archive_internal.h"
 
 #include "prove_output.h"
 
@@ -61,8 +61,7 @@ static bool sync_directory(const char *path)
     return ok;
 }
 
-/* Makes `name` hold the bytes, or leaves it as it was. */
-static bool store(const archive *z, const char *name, const char *bytes, size_t length)
+bool archive_store(const archive *z, const char *name, const char *bytes, size_t length)
 {
     char unfinished[128];
     char *path = path_of(z, name), *temporary;
@@ -110,7 +109,7 @@ archive_status archive_open(archive *z, const char *path, const scheme *s)
         bool same = present.length == s->text_length && !memcmp(present.bytes ? present.bytes : "", s->text, present.length);
         result = same ? ARCHIVE_OK : ARCHIVE_OTHER_SCHEME;
     } else if (errno == ENOENT) {
-        result = store(z, SCHEME_FILE, s->text, s->text_length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+        result = archive_store(z, SCHEME_FILE, s->text, s->text_length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
     }
     buffer_clear(&present);
     free(file);
@@ -160,12 +159,12 @@ archive_status archive_keep(archive *z, char **certificate, const decision *d)
     snprintf(name, sizeof name, "valence-%ld.log", d->valence);
     if (text.failed)
         errno = ENOMEM;
-    ok = !text.failed && store(z, name, text.bytes, text.length);
+    ok = !text.failed && archive_store(z, name, text.bytes, text.length);
     buffer_clear(&text);
     snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
     if (ok && d->verdict == VERDICT_PROVED) {
         *certificate = path_of(z, name);
-        ok = *certificate && store(z, name, d->certificate.bytes, d->certificate.length);
+        ok = *certificate && archive_store(z, name, d->certificate.bytes, d->certificate.length);
     }
     return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
 }

@@ -57,8 +57,8 @@ static void write_choices(buffer *z, const choices *c)
         buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
     buffer_print(z, "\n");
     write_eigenpair(z, c);
-    for (int i = 0; i < c->block_count; i++)
-        buffer_print(z, "block %ld %ld %d\n", c->blocks[i].first, c->blocks[i].last, c->blocks[i].power);
+    for (size_t i = 0; i < c->blocks.count; i++)
+        buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
     write_trees(z, c);
 }
 
@@ -234,15 +234,16 @@ static void read_blocks(reader *r, choices *c)
 {
     long total = 0;
     while (!r->failed && comes_next(r, "block")) {
-        block_choice b;
+        frequencies m;
+        int power;
         expect(r, "block");
-        b.first = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
-        b.last = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
-        b.power = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
-        total += b.power;
-        if (c->block_count >= CHOICES_MAX_BLOCKS || total > CHOICES_MAX_TOTAL_POWER)
+        m.first = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
+        m.last = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
+        power = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
+        total += power;
+        if (c->blocks.count >= CHOICES_MAX_BLOCKS || total > CHOICES_MAX_TOTAL_POWER)
             r->failed = true;
-        else if (!r->failed && !choices_add_block(c, b))
+        else if (!r->failed && !cover_list_add(&c->blocks, m, power))
             r->no_memory = r->failed = true;
     }
 }

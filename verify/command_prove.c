@@ -263,6 +263,9 @@ static int decide_all(prove_run *r)
     if (!workers_run(&w))
         return complain(EXIT_NO_MEMORY, "no memory");
     progress_clear(&r->progress);
+    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
+        if (archive_write_index(&r->archive) != ARCHIVE_OK)
+            return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/index: %s", r->archive.path, strerror(errno));
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;

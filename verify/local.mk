@@ -14,7 +14,7 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/escalate.h verify/escalate.c \
   verify/prove_output.h verify/prove_output.c \
-  verify/archive.h verify/archive.c \
+  verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
   verify/valences.h verify/valences.c \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \
@@ -33,7 +33,8 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
   verify/uniform.c \
-  verify/spectrum_blocks.c \
+  verify/spectrum_blocks.h verify/spectrum_blocks.c \
+  verify/spectrum_survey.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)

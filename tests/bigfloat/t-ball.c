@@ -1,5 +1,5 @@
 /* t-ball.c: every operation on balls contains the exact result for exact points of the operands. */
-#include "bigfloat/ball.h"
+#include "bigfloat/ball_internal.h"
 
 #include "random.h"
 
@@ -393,6 +393,16 @@ static void test_full_lengths(void)
     test_end();
 }
 
+/* The exact sum with n limbs: rounded once, and exact if it fits. */
+static void check_exact(const ball *z, const rational *sum, size_t n)
+{
+    const integer *m = &sum->numerator;
+    size_t zeros = m->size ? limb_trailing_zeros(integer_limbs(m), (size_t)integer_length(m)) : 0;
+    bool fits = integer_bits(m) - zeros <= 64 * n;
+    CHECK(fits ? z->error == 0 : z->error == 1 && ball_mantissa_bits(z) == 64 * n,
+          "exact terms of %zu limbs: rounded more than once", n);
+}
+
 /* Dot products of terms that all have n limbs, most of them full, at precision 64 n. */
 static void test_dot_full_lengths(void)
 {
@@ -401,6 +411,7 @@ static void test_dot_full_lengths(void)
         size_t n = (size_t)(random_below(5) ? random_range(1, 5) : random_bool() ? 8 : random_range(6, 33)), N = (size_t)random_range(1, 4);
         uint64_t limb[33];
         ball x[8], z;
+        bool exact = random_below(3) == 0;
         rational p, q, sum;
         ball_init(&z);
         rational_init(&p), rational_init(&q), rational_init(&sum);
@@ -413,7 +424,7 @@ static void test_dot_full_lengths(void)
             random_limbs(limb, n);
             limb[n - 1] |= (uint64_t)1 << (random_below(4) ? 63 : random_below(4) ? random_range(46, 62) : 0);
             MUST(integer_set_limbs(&m, limb, n, random_below(4) == 0));
-            ball_set_parts(&x[i], &m, short_errors ? random_below(3) : random_word() >> (64 - BALL_ERROR_BITS),
+            ball_set_parts(&x[i], &m, exact ? 0 : short_errors ? random_below(3) : random_word() >> (64 - BALL_ERROR_BITS),
                            random_below(3) ? 0 : random_range(-spread, spread));
             integer_clear(&m);
         }
@@ -424,6 +435,8 @@ static void test_dot_full_lengths(void)
         }
         ball_dot(&z, x, x + N, N, 64 * (long)n);
         CHECK(ball_contains_rational(&z, &sum), "%zu terms of %zu limbs", N, n);
+        if (exact)
+            check_exact(&z, &sum, n);
         for (size_t i = 0; i < 2 * N; i++)
             ball_clear(&x[i]);
         ball_clear(&z);
@@ -432,7 +445,6 @@ static void test_dot_full_lengths(void)
     test_end();
 }
 
-/* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel; alone, and with an inexact term far below. */
 /* Exact terms whose sum fits give it exactly, however many zero bits their mantissas carry. */
 static void test_dot_exact(void)
 {
@@ -468,6 +480,7 @@ static void test_dot_exact(void)
     test_end();
 }
 
+/* (h + 1) (h - 1) - h h = -1: all digits of the accumulator cancel; alone, and with an inexact term far below. */
 static void test_dot_cancellation(void)
 {
     test_begin("ball-dot-cancellation");

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bigfloat/complex_ball.h"
+
 #include "random.h"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -101,6 +103,55 @@ static void test_balls(void)
     test_end();
 }
 
+/* ---- complex balls ---- */
+
+static void test_complex(void)
+{
+    test_begin("memory-complex");
+    for (int o = 0; o < 8; o++)
+        for (long n = 0; n < 500; n++) {
+            complex_ball x, z, right;
+            rational q;
+            complex_ball_init(&x), complex_ball_init(&z), complex_ball_init(&right);
+            rational_init(&q);
+            MUST(rational_set_si(&q, 1, 7));
+            ball_pi(&x.re, 2000), ball_sqrt(&x.im, &x.re, 2000);
+            if (o == 7)
+                ball_neg(&x.re, &x.re);
+                    for (int turn = 0; turn < 2; turn++) {
+                complex_ball *to = turn ? &z : &right;
+                failed = false;
+                until_failure = turn ? n : -1;
+                switch (o) {
+                case 0: complex_ball_mul(to, &x, &x, 2000); break;
+                case 1: complex_ball_div(to, &x, &x, 2000); break;
+                case 2: complex_ball_inv(to, &x, 2000); break;
+                case 3: complex_ball_sqr(to, &x, 2000); break;
+                case 4: complex_ball_pow_ui(to, &x, 3, 2000); break;
+                case 5: complex_ball_root_of_unity(to, &q, 2000); break;
+                case 6: complex_ball_abs(&to->re, &x, 2000); break;
+                default: complex_ball_sqrt(to, &x, 2000); break;
+                }
+                until_failure = -1;
+            }
+            CHECK(ball_lacks_memory(&z.re) || ball_identical(&z.re, &right.re), "operation %d, failure %ld: real part", o, n);
+            CHECK(ball_lacks_memory(&z.im) || ball_identical(&z.im, &right.im), "operation %d, failure %ld: imaginary", o, n);
+            if (complex_ball_lacks_memory(&z)) { /* the mark stays */
+                complex_ball_mul(&right, &z, &x, 64);
+                CHECK(complex_ball_lacks_memory(&right), "operation %d: a product without the mark", o);
+                complex_ball_sqrt(&right, &z, 64);
+                CHECK(complex_ball_lacks_memory(&right), "operation %d: a root without the mark", o);
+            }
+            complex_ball_clear(&x), complex_ball_clear(&z), complex_ball_clear(&right);
+            rational_clear(&q);
+            if (!failed)
+                break;
+            CHECK(n < 499, "operation %d never succeeds", o);
+        }
+    CHECK(live == 0, "%ld blocks left", live);
+    test_end();
+}
+
 /* ---- integers, rationals, grids, text ---- */
 
 typedef bool (*integer_op)(integer *, const integer *, const integer *);
@@ -187,6 +238,7 @@ int main(void)
 {
     setvbuf(stdout, NULL, _IONBF, 0);
     test_balls();
+    test_complex();
     test_integers();
     test_grids();
     return test_status();

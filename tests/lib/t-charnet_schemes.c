@@ -21,7 +21,7 @@ enum { PRECISION = 96, GRID = 96 };
 
 typedef double _Complex cplx;
 
-static cplx make(double re, double im) { return CMPLX(re, im); }
+static cplx make(double re, double im) { return re + im * _Complex_I; }
 
 typedef struct {
     const char *name;
@@ -229,7 +229,9 @@ static void test_forms(void)
     for (int i = 0; i < 5 && !test_failed(); i++)
         for (long k = 3; k <= 7 && !test_failed(); k++) {
             setting r, c;
-            if (make_setting(&r, names[i], k, true) & make_setting(&c, names[i], k, false)) {
+            bool made = make_setting(&r, names[i], k, true);
+            made = make_setting(&c, names[i], k, false) && made;
+            if (made) {
                 cplx factor = unit_of(&r) / unit_of(&c);
                 CHECK(r.real && !c.real, "the test itself");
                 for (int a = 1; a <= r.ring.rings; a++)

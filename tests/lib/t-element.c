@@ -242,7 +242,7 @@ static void check_dual_support(const char *name)
             bool inside = false;
             for (int a = -DUAL_HALF; a <= DUAL_HALF; a++)
                 for (int b = -DUAL_HALF; b <= DUAL_HALF; b++) /* the label y 2^n + (a,b), in halves of 2^-n */
-                    inside = inside || (old[a + DUAL_HALF][b + DUAL_HALF] && is_in_element(ELEMENT_SQUARE, 2 * ((ya << MANY) + a) - 1, 2 * ((yb << MANY) + b) - 1, 2 << MANY, true));
+                    inside = inside || (old[a + DUAL_HALF][b + DUAL_HALF] && is_in_element(ELEMENT_SQUARE, 2 * (ya * (1 << MANY) + a) - 1, 2 * (yb * (1 << MANY) + b) - 1, 2 << MANY, true));
             CHECK(inside == in_window(&s.window[ELEMENT_SQUARE], ya, yb), "%s: the basis function of (%d,%d) is %szero on the square", z.name, ya, yb, inside ? "not " : "");
         }
     element_stencil_clear(&s);

@@ -239,7 +239,7 @@ static void find_chain(chain *c, const char *name, long k, long start, long goal
     CHECK(scheme_numbers_make(&c->numbers, &c->s, k, PRECISION, &d) == STATUS_OK, "%s: %s", name, d.text);
     monotone_list_init(&c->list);
     c->start = start;
-    c->found = monotone_search(&c->list, &c->numbers, start, goal, most, &d);
+    c->found = monotone_search(&c->list, &c->numbers, start, goal, most, 0, &d);
     CHECK(c->found.status == BLOCK_OK, "%s: status %d: %s", name, (int)c->found.status, d.text);
 }
 
@@ -264,7 +264,6 @@ static void check_chain(const char *name, long k, long start, long goal, long re
     CHECK(c.found.proved && labs(c.found.end - start) >= reach, "%s, k = %ld: the chain from %ld ends at %ld", name, k, start, c.found.end);
     CHECK(verifies(&c, goal > start), "%s, k = %ld: what was found is no proof", name, k);
     CHECK(!verifies(&c, goal < start), "%s, k = %ld: backward is forward", name, k);
-    CHECK(c.found.upper < 0.7 && c.found.upper > 0, "%s: bound %.9g", name, c.found.upper);
     free_chain(&c);
 }
 
