@@ -5,6 +5,7 @@
    or grid (exact endpoints on a grid 2^-prec; the arithmetic of certificates).  A `number` denotes a
    closed set of real numbers that is an interval, at worst the *indeterminate* one: the whole line.
    NUMBER_NAME(f) is f_interval, f_ball or f_grid: name every external function of such a source with it.
+   (With NUMBER_JET, too, `number` is a jet of them: bigfloat/number_jet.h.)
 
    In the contracts below x, y, r are any numbers of the sets given; each operation yields a set that contains
    the result for EVERY choice of them.  Nothing fails: division by a set that contains 0, the root of a set
@@ -53,22 +54,27 @@
 
 #if defined(NUMBER_INTERVAL)
 #include "interval.h"
-#define NUMBER_TYPE interval
+#define NUMBER_BASE_TYPE interval
+#define NUMBER_JET_TYPE jet_interval
 #define NUMBER_SYSTEM_NAME "interval"
 #elif defined(NUMBER_BALL)
 #include "ball.h"
-#define NUMBER_TYPE ball
+#define NUMBER_BASE_TYPE ball
+#define NUMBER_JET_TYPE jet_ball
 #define NUMBER_SYSTEM_NAME "ball"
 #else
 #include "grid.h"
-#define NUMBER_TYPE grid
+#define NUMBER_BASE_TYPE grid
+#define NUMBER_JET_TYPE jet_grid
 #define NUMBER_SYSTEM_NAME "grid"
 #endif
+
+#define NUMBER_TYPE NUMBER_BASE_TYPE
 
 #define NUMBER_PASTE_(f, system) f##_##system
 #define NUMBER_PASTE(f, system) NUMBER_PASTE_(f, system)
 #define NUMBER_NAME(f) NUMBER_PASTE(f, NUMBER_TYPE)
-#define NUMBER_OP(op) NUMBER_PASTE(NUMBER_TYPE, op)
+#define NUMBER_OP(op) NUMBER_PASTE(NUMBER_BASE_TYPE, op)
 
 typedef NUMBER_TYPE number;
 
@@ -156,5 +162,9 @@ typedef int number_mode;
 #define number_cos_pi NUMBER_OP(cos_pi)
 #define number_sin_pi NUMBER_OP(sin_pi)
 #define number_get_decimal NUMBER_OP(get_decimal)
+
+#if defined(NUMBER_JET)
+#include "number_jet.h"
+#endif
 
 #endif

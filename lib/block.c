@@ -122,19 +122,27 @@ static block_status fill(block *z, sector_net *net, number *unit, const number *
     return BLOCK_OK;
 }
 
-static bool set_twist(block *z, form f, long prec)
+/* u = NULL: as the frequencies say. */
+static bool set_twist(block *z, form f, const number *u, long prec)
 {
-    return f == FORM_PLAIN || (f == FORM_REAL ? twist_set_real(&z->twist, z->m, z->k, prec) : twist_set_complex(&z->twist, z->m, z->k, prec));
+    frequencies m = {z->m, z->last};
+    if (f == FORM_PLAIN)
+        return true;
+    if (f == FORM_COMPLEX)
+        return twist_set_complex_range(&z->twist, m, z->k, prec);
+    return u ? twist_set_u(&z->twist, u, prec) : twist_set_real_range(&z->twist, m, z->k, prec);
 }
 
-block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d)
+static block_status make(block *z, scheme_numbers *numbers, frequencies m, const number *u, bool real, diagnostic *d)
 {
-    form f = m == 0 ? FORM_PLAIN : real ? FORM_REAL : FORM_COMPLEX;
+    form f = m.last == 0 ? FORM_PLAIN : real ? FORM_REAL : FORM_COMPLEX;
+    bool plain = f == FORM_PLAIN;
     block_status result = BLOCK_NO_MEMORY;
     number *unit = NULL, *zero = NULL;
     sector_net net;
     memset(z, 0, sizeof *z);
-    z->m = m;
+    z->m = m.first;
+    z->last = m.last;
     z->k = numbers->k;
     z->mesh = numbers->scheme->mesh;
     z->rings = scheme_closed_rings(numbers->scheme);
@@ -142,7 +150,7 @@ block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, di
     z->unknowns = malloc((size_t)(sector_size(z->rings) + 1) * sizeof *z->unknowns);
     if (z->unknowns)
         z->n = list_unknowns(z->unknowns, z->mesh, z->rings, f);
-    if (!sector_net_make(&net, z->mesh, z->k == mesh_regular_valence(z->mesh), z->rings, m ? &z->twist : NULL) || !z->unknowns || !set_twist(z, f, numbers->prec))
+    if (!sector_net_make(&net, z->mesh, z->k == mesh_regular_valence(z->mesh), z->rings, plain ? NULL : &z->twist) || !z->unknowns || !set_twist(z, f, u, numbers->prec))
         goto done;
     z->entry = number_array_new((size_t)z->n * (size_t)z->n);
     if (f == FORM_COMPLEX)
@@ -150,7 +158,7 @@ block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, di
     unit = number_array_new((size_t)z->n);
     zero = number_array_new((size_t)z->n);
     if (z->entry && unit && zero && (f != FORM_COMPLEX || z->imaginary)) {
-        status s = scheme_numbers_set_frequency(numbers, m, m ? &z->twist : NULL, d);
+        status s = scheme_numbers_set_frequencies(numbers, m, plain ? NULL : &z->twist, d);
         result = s == STATUS_OK ? fill(z, &net, unit, zero, numbers) : s == STATUS_BAD_INPUT ? BLOCK_BAD_INPUT : BLOCK_NO_MEMORY;
     }
 done:
@@ -160,6 +168,38 @@ done:
         number_array_free(zero, (size_t)z->n);
     sector_net_free(&net);
     return result;
+}
+
+block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d)
+{
+    return make(z, numbers, one_frequency(m), NULL, real, d);
+}
+
+block_status block_make_range(block *z, scheme_numbers *numbers, frequencies m, bool real, diagnostic *d)
+{
+    return make(z, numbers, m, NULL, real, d);
+}
+
+block_status block_make_at(block *z, scheme_numbers *numbers, frequencies m, const number *u, diagnostic *d)
+{
+    return make(z, numbers, m, u, true, d);
+}
+
+/* (re, -im; im, re) for each entry, so that a real vector (x, y) stands for x + i y. */
+number *block_real_matrix(int *size, const block *z)
+{
+    int parts = z->imaginary ? 2 : 1, n = z->n, all = parts * n;
+    number *matrix = number_array_new((size_t)all * (size_t)all);
+    *size = all;
+    for (int i = 0; matrix && i < all; i++)
+        for (int j = 0; j < all; j++) {
+            number *to = &matrix[i * all + j];
+            int from = i % n * n + j % n;
+            number_set(to, i / n == j / n ? &z->entry[from] : &z->imaginary[from]);
+            if (i / n < j / n)
+                number_neg(to, to);
+        }
+    return matrix;
 }
 
 void block_free(block *z)

@@ -6,6 +6,9 @@
 #include "step.h"
 
 #define block_make NUMBER_NAME(block_make)
+#define block_make_range NUMBER_NAME(block_make_range)
+#define block_make_at NUMBER_NAME(block_make_at)
+#define block_real_matrix NUMBER_NAME(block_real_matrix)
 #define block_free NUMBER_NAME(block_free)
 #define block_from_subdivide NUMBER_NAME(block_from_subdivide)
 #define block_net NUMBER_NAME(block_net)
@@ -21,9 +24,10 @@ typedef struct {
 } unknown;
 
 /* The block of rotation factor exp(2 pi i m / k) on the rings 1..rings: an n x n matrix, row by row; entry[i n + j] is
-   what unknown j contributes to the new unknown i.  In the complex form imaginary has the imaginary parts. */
+   what unknown j contributes to the new unknown i.  In the complex form imaginary has the imaginary parts.  For a range
+   of frequencies the entries contain those of all blocks from m to last. */
 typedef struct {
-    long m, k;
+    long m, last, k;
     mesh_kind mesh;
     int rings;
     int n;
@@ -37,6 +41,14 @@ typedef struct {
    On any status block_free. */
 typedef enum { BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_CENTRE_RULE, BLOCK_BAD_INPUT, BLOCK_NO_MEMORY } block_status;
 block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d);
+/* All blocks of a range; 0 is in no range but its own. */
+block_status block_make_range(block *z, scheme_numbers *numbers, frequencies m, bool real, diagnostic *d);
+/* In the real form, for all u of an interval within [0, 1], whether u = cos(pi m / k) for some m or not; the weights of
+   rules are those of the frequencies m >= 1. */
+block_status block_make_at(block *z, scheme_numbers *numbers, frequencies m, const number *u, diagnostic *d);
+/* A new real matrix with the eigenvalues of the block and, in the complex form, their conjugates: size x size numbers,
+   size = n or 2 n.  The caller frees it.  NULL: no memory. */
+number *block_real_matrix(int *size, const block *z);
 void block_free(block *z);
 block_status block_from_subdivide(subdivide_status s);
 

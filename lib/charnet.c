@@ -14,31 +14,68 @@ static void copy_point(sector_net *to, const sector_net *from, int a, int b)
     number_set(&to->y[sector_index(to, a, b)], &from->y[sector_index(from, a, b)]);
 }
 
-/* wide = the rings 1..known of net, and beyond them, up to `upto`, S net / eigenvalue. */
-static block_status extend(sector_net *wide, const sector_net *net, int known, int upto, const number *eigenvalue, const scheme_numbers *numbers)
+/* What S V is divided by: a real eigenvalue, or a complex one and the square of its modulus. */
+typedef struct {
+    const number *re, *im; /* im NULL: real form */
+    number square;
+} divisor;
+
+static void divisor_init(divisor *z, const block *b, const number *box, long prec)
 {
-    long prec = numbers->prec;
+    number_init(&z->square);
+    z->re = &box[b->imaginary ? 2 * b->n : b->n];
+    z->im = b->imaginary ? z->re + 1 : NULL;
+    if (z->im) {
+        number_sqr(&z->square, z->re, prec);
+        number_addmul(&z->square, z->im, z->im, prec);
+    }
+}
+
+/* (x + i y) / (re + i im) = ((x re + y im) + i (y re - x im)) / (re^2 + im^2); in real form both parts over re. */
+static void divide(number *x, number *y, const divisor *d, long prec)
+{
+    number p, q;
+    if (!d->im) {
+        number_div(x, x, d->re, prec);
+        number_div(y, y, d->re, prec);
+        return;
+    }
+    number_init(&p);
+    number_init(&q);
+    number_mul(&p, x, d->re, prec);
+    number_addmul(&p, y, d->im, prec);
+    number_mul(&q, y, d->re, prec);
+    number_submul(&q, x, d->im, prec);
+    number_div(x, &p, &d->square, prec);
+    number_div(y, &q, &d->square, prec);
+    number_clear(&p);
+    number_clear(&q);
+}
+
+/* wide = the rings 1..known of net, and beyond them, up to `upto`, S net / eigenvalue. */
+static block_status extend(sector_net *wide, const sector_net *net, int known, int upto, const divisor *eigenvalue, const scheme_numbers *numbers)
+{
     subdivide_status s = scheme_subdivide(wide, net, numbers, upto);
     if (s != SUBDIVIDE_OK)
         return block_from_subdivide(s);
+    number_set(&wide->centre, &net->centre);
     for (int a = 1; a <= upto; a++)
         for (int b = 0; b <= upto; b++) {
             number *x = &wide->x[sector_index(wide, a, b)], *y = &wide->y[sector_index(wide, a, b)];
             if (!mesh_in_sector(net->mesh, a, b) || mesh_ring(net->mesh, a, b) > upto)
                 continue;
-            if (mesh_ring(net->mesh, a, b) <= known) {
+            if (mesh_ring(net->mesh, a, b) <= known)
                 copy_point(wide, net, a, b);
-            } else {
-                number_div(x, x, eigenvalue, prec);
-                number_div(y, y, eigenvalue, prec);
-            }
+            else
+                divide(x, y, eigenvalue, numbers->prec);
             if (number_lacks_memory(x) || number_lacks_memory(y))
                 return BLOCK_NO_MEMORY;
         }
     return BLOCK_OK;
 }
 
-/* How far a step can go: the most rings whose new values need no more than the known ones. */
+/* How far a step can go: the most rings whose new values need no more than the known ones.  One more at least, for
+   beyond the rings of a block (scheme_closed_rings) ring j needs less than j. */
 static int reachable(const scheme *s, int known, int wanted)
 {
     int upto = known;
@@ -51,17 +88,20 @@ block_status charnet_make(sector_net *net, const block *b, const number *box, co
 {
     block_status s = BLOCK_OK;
     int known = b->rings;
-    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, &b->twist))
+    divisor eigenvalue;
+    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, b->m ? &b->twist : NULL))
         return BLOCK_NO_MEMORY;
-    block_net(net, b, box, NULL, numbers->prec);
+    block_net(net, b, box, b->imaginary ? &box[b->n] : NULL, numbers->prec);
+    divisor_init(&eigenvalue, b, box, numbers->prec);
     while (s == BLOCK_OK && known < rings) {
         int upto = reachable(numbers->scheme, known, rings);
         sector_net wide;
-        s = extend(&wide, net, known, upto, &box[b->n], numbers);
+        s = extend(&wide, net, known, upto, &eigenvalue, numbers);
         sector_net_free(net);
         *net = wide;
         known = upto;
     }
+    number_clear(&eigenvalue.square);
     return s;
 }
 

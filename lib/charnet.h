@@ -1,5 +1,5 @@
 /* charnet.h: the control net of the characteristic map, as far out as the ring needs it, and its thin nets of
-   differences (verify/certificate.md, section 7).  Compiled once per number system. */
+   differences (verify/certificate.md, section 7; lib/ring.md).  Compiled once per number system. */
 #ifndef LIB_CHARNET_H
 #define LIB_CHARNET_H
 
@@ -10,9 +10,10 @@
 #define charnet_windows_make NUMBER_NAME(charnet_windows_make)
 #define charnet_windows_free NUMBER_NAME(charnet_windows_free)
 
-/* net = the eigenvector `box` (n + 1 numbers: x, then the eigenvalue) of the block b (in real form), extended to `rings`
-   rings by the scheme itself: V = S V / eigenvalue.  The numbers must be set to b's frequency.  net->twist is b's.
-   On any status sector_net_free. */
+/* net = the eigenvector `box` of the block b extended to `rings` rings (those of b at least) by the scheme itself:
+   V = S V / eigenvalue.  In real form and for m = 0 box holds the n components x, then the eigenvalue; in complex form n real parts, n
+   imaginary parts, then those of the eigenvalue (lib/eigenpair.h).  The numbers must be set to b's frequency.
+   net->twist is b's.  On any status sector_net_free. */
 block_status charnet_make(sector_net *net, const block *b, const number *box, const scheme_numbers *numbers, int rings);
 
 /* The thin values of one net (values or differences) in the windows of some elements, and how far they may be from

@@ -240,22 +240,6 @@ static bool transport_set(transport *z, const laurent *e, int class, lattice u, 
     return ok && z->flow && z->distance && z->came;
 }
 
-/* z = x - y */
-static bool subtract(laurent *z, const laurent *x, const laurent *y)
-{
-    long low_a = x->a0 < y->a0 ? x->a0 : y->a0, low_b = x->b0 < y->b0 ? x->b0 : y->b0;
-    long high_a = x->a0 + x->na > y->a0 + y->na ? x->a0 + x->na : y->a0 + y->na;
-    long high_b = x->b0 + x->nb > y->b0 + y->nb ? x->b0 + x->nb : y->b0 + y->nb;
-    bool ok = laurent_set_box(z, low_a, low_b, high_a - low_a, high_b - low_b) && integer_mul(&z->denominator, &x->denominator, &y->denominator);
-    for (long a = low_a; ok && a < high_a; a++)
-        for (long b = low_b; ok && b < high_b; b++) {
-            integer *c = &z->coefficient[(a - low_a) * z->nb + (b - low_b)];
-            const integer *p = laurent_at(x, a, b), *q = laurent_at(y, a, b);
-            ok = (!p || integer_addmul(c, p, &y->denominator)) && (!q || integer_submul(c, q, &x->denominator));
-        }
-    return ok;
-}
-
 bool comparison_constant(rational *c, const laurent *s, const laurent *b, lattice u, lattice v)
 {
     laurent e;
@@ -264,7 +248,7 @@ bool comparison_constant(rational *c, const laurent *s, const laurent *b, lattic
     laurent_init(&e);
     integer_init(&total);
     integer_init(&largest);
-    ok = subtract(&e, s, b);
+    ok = laurent_sub(&e, s, b);
     for (int class = 0; ok && class < 4; class++) {
         transport t;
         ok = transport_set(&t, &e, class, u, v) && transport_solve(&total, &t);

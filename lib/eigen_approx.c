@@ -1,5 +1,7 @@
-/* eigen_approx.c: power iteration, sharpened by inverse iteration. */
+/* eigen_approx.c: power iteration, or the complex Schur form, sharpened by inverse iteration. */
 #include "eigen_approx.h"
+
+#include "schur_approx.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -129,6 +131,112 @@ truth eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const dou
         *pivot = largest(x, n);
     free(work);
     return ok && isfinite(*eigenvalue) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+}
+
+/* ---- complex matrices, embedded ---- */
+
+/* Moduli that differ by less than this share are taken to be equal. */
+#define TIED 0x1p-36
+/* Eigenvalues closer together than this share of the largest entry stay in one triangle: all that is asked for are
+   the diagonals of the triangles. */
+#define CLOSE 0x1p-10
+
+static bool list_eigenvalues(double complex *eigenvalue, double complex *work, int *cluster, const double *b, int h)
+{
+    double complex *a = work, *v = work + h * h, *w = work + 2 * h * h;
+    double norm = 0;
+    for (int i = 0; i < h * h; i++) {
+        int at = i / h * 2 * h + i % h;
+        a[i] = b[at] + I * b[at + 2 * h * h];
+        norm = fmax(norm, cabs(a[i]));
+    }
+    if (!isfinite(norm) || !block_diagonalise_approx(v, w, cluster, a, h, norm * CLOSE))
+        return false;
+    for (int i = 0; i < h; i++)
+        eigenvalue[i] = a[i * h + i];
+    return true;
+}
+
+/* The eigenvalue that alone has the largest modulus; 0: there is none. */
+static double complex find_dominant(const double complex *eigenvalue, int h)
+{
+    int best = 0;
+    for (int i = 1; i < h; i++)
+        if (cabs(eigenvalue[i]) > cabs(eigenvalue[best]))
+            best = i;
+    for (int i = 0; i < h; i++)
+        if (i != best && cabs(eigenvalue[i]) >= cabs(eigenvalue[best]) * (1 - TIED))
+            return 0;
+    return eigenvalue[best];
+}
+
+/* Scales x by a complex number so that its largest component is 1; false if it is 0 or not finite. */
+static bool normalise_complex(int *pivot, double *x, int h)
+{
+    double complex scale;
+    *pivot = 0;
+    for (int i = 1; i < h; i++)
+        if (hypot(x[i], x[i + h]) > hypot(x[*pivot], x[*pivot + h]))
+            *pivot = i;
+    scale = x[*pivot] + I * x[*pivot + h];
+    if (scale == 0 || !isfinite(cabs(scale)))
+        return false;
+    for (int i = 0; i < h; i++) {
+        double complex z = (x[i] + I * x[i + h]) / scale;
+        x[i] = creal(z);
+        x[i + h] = cimag(z);
+    }
+    return true;
+}
+
+/* One step of inverse iteration, as in sharpen. */
+static bool sharpen_complex(double complex *eigenvalue, double *x, int *pivot, double *y, double *shifted, double *inverse, const double *b, int n)
+{
+    int h = n / 2;
+    double complex shift = *eigenvalue * (1 + 1e-12) + 1e-300;
+    memcpy(shifted, b, (size_t)n * (size_t)n * sizeof *b);
+    for (int i = 0; i < h; i++) {
+        shifted[i * n + i] -= creal(shift);
+        shifted[(i + h) * n + i + h] -= creal(shift);
+        shifted[i * n + i + h] += cimag(shift);
+        shifted[(i + h) * n + i] -= cimag(shift);
+    }
+    if (!invert(inverse, shifted, n))
+        return false;
+    multiply(y, inverse, x, n);
+    if (!normalise_complex(pivot, y, h))
+        return false;
+    memcpy(x, y, (size_t)n * sizeof *x);
+    multiply(y, b, x, n);
+    *eigenvalue = y[*pivot] + I * y[*pivot + h];
+    return true;
+}
+
+truth eigen_dominant_complex_approx(double *re, double *im, double *x, int *pivot, const double *b, int n)
+{
+    int h = n / 2;
+    size_t square = (size_t)n * (size_t)n;
+    double *work = malloc((2 * square + (size_t)n) * sizeof *work);
+    double complex *many = malloc(((size_t)h * (size_t)h * 3 + (size_t)h) * sizeof *many), eigenvalue = 0;
+    int *cluster = malloc((size_t)h * sizeof *cluster);
+    truth found = TRUTH_FALSE;
+    if (work && many && cluster) {
+        bool ok = list_eigenvalues(many, many + h, cluster, b, h);
+        eigenvalue = ok ? find_dominant(many, h) : 0;
+        ok = eigenvalue != 0;
+        for (int i = 0; i < n; i++)
+            x[i] = 1 + 0.37 * i / n; /* a vector in no special position */
+        for (int step = 0; ok && step < INVERSE_STEPS; step++)
+            if (!sharpen_complex(&eigenvalue, x, pivot, work, work + n, work + n + square, b, n))
+                ok = step > 0; /* the shift hit the eigenvalue: it is good already */
+        found = ok && isfinite(cabs(eigenvalue)) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+    }
+    *re = creal(eigenvalue);
+    *im = cimag(eigenvalue);
+    free(work);
+    free(many);
+    free(cluster);
+    return found;
 }
 
 /* c^(2^40), scaled to norm 1 after every squaring: what was divided out is the spectral radius. */

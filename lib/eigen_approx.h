@@ -11,6 +11,10 @@
    eigenvector x, scaled so that its largest component, number *pivot, is 1. */
 truth eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const double *b, int n);
 
+/* The same for the complex matrix of order n/2 that the n x n matrix b = (R, -I; I, R) stands for: an eigenvalue that alone
+   has the largest modulus, and its eigenvector (real parts, then imaginary ones), whose component *pivot is 1. */
+truth eigen_dominant_complex_approx(double *re, double *im, double *x, int *pivot, const double *b, int n);
+
 /* About the largest modulus of an eigenvalue of b (0 for n = 0).  NAN: no memory. */
 double spectral_radius_approx(const double *b, int n);
 

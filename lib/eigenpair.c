@@ -1,7 +1,8 @@
 /* eigenpair.c: the equations, the Krawczyk operator, and the search for a box that it maps into itself.
 
-   The unknowns z are the components of x other than the pivot's, in order, then the eigenvalue.  The equations
-   are F_i(z) = (b x)_i - eigenvalue x_i = 0, i = 0..n-1. */
+   The unknowns are the components of x other than the pivot's, in order, then the eigenvalue.  The equations
+   are F_i = (b x)_i - eigenvalue x_i = 0, i = 0..n-1.  In complex form (lib/eigenpair.h) both components of the pivot
+   are fixed, the eigenvalue is alpha, beta, and F = b x - alpha x - beta J x. */
 #include "eigenpair.h"
 
 #include "eigen_approx.h"
@@ -13,21 +14,23 @@
 /* Work space of one proof or search. */
 typedef struct {
     int n, pivot;
+    bool complex_form;
     const number *b;
-    number *approximation; /* n + 1: x with its 1, then the eigenvalue, thin where the number system can */
+    number *approximation; /* like a box: x with its 1, then the eigenvalue, thin where the number system can */
     number *residual;      /* n */
     number *derivative;    /* n x n */
     number *inverse;       /* n x n */
     number *image;         /* n: Krawczyk operator minus the approximation */
 } workspace;
 
-static bool workspace_make(workspace *w, const number *b, int n, int pivot)
+static bool workspace_make(workspace *w, const number *b, int n, bool complex_form, int pivot)
 {
     size_t square = (size_t)n * (size_t)n;
     w->n = n;
     w->pivot = pivot;
+    w->complex_form = complex_form;
     w->b = b;
-    w->approximation = number_array_new((size_t)n + 1);
+    w->approximation = number_array_new(eigenpair_box_size(n, complex_form));
     w->residual = number_array_new((size_t)n);
     w->derivative = number_array_new(square);
     w->inverse = number_array_new(square);
@@ -44,17 +47,42 @@ static void free_numbers(number *a, size_t count)
 static void workspace_free(workspace *w)
 {
     size_t n = (size_t)w->n;
-    free_numbers(w->approximation, n + 1);
+    free_numbers(w->approximation, eigenpair_box_size(w->n, w->complex_form));
     free_numbers(w->residual, n);
     free_numbers(w->derivative, n * n);
     free_numbers(w->inverse, n * n);
     free_numbers(w->image, n);
 }
 
-/* Which entry of x the unknown number l is; n for the eigenvalue. */
+/* Where the unknown number l is in a box. */
 static int component(const workspace *w, int l)
 {
-    return l == w->n - 1 ? w->n : l < w->pivot ? l : l + 1;
+    if (!w->complex_form)
+        return l == w->n - 1 ? w->n : l < w->pivot ? l : l + 1;
+    if (l >= w->n - 2)
+        return l + 2;
+    l += l >= w->pivot;
+    return l + (l >= w->pivot + w->n / 2);
+}
+
+/* Is component j of x fixed, to 1 or (the imaginary part) to 0? */
+static bool is_fixed(const workspace *w, int j)
+{
+    return j == w->pivot || (w->complex_form && j == w->pivot + w->n / 2);
+}
+
+static void fix(number *x, const workspace *w)
+{
+    number_one(&x[w->pivot]);
+    if (w->complex_form)
+        number_zero(&x[w->pivot + w->n / 2]);
+}
+
+/* (J x)_i = x_j, or -x_j if *minus; returns j. */
+static int turned(bool *minus, const workspace *w, int i)
+{
+    *minus = i < w->n / 2;
+    return *minus ? i + w->n / 2 : i - w->n / 2;
 }
 
 /* residual = F(x, eigenvalue). */
@@ -66,7 +94,38 @@ static void evaluate(workspace *w, const number *x, long prec)
         for (int j = 0; j < w->n; j++)
             number_addmul(f, &w->b[i * w->n + j], &x[j], prec);
         number_submul(f, &x[w->n], &x[i], prec);
+        if (w->complex_form) {
+            bool minus;
+            int j = turned(&minus, w, i);
+            if (minus)
+                number_addmul(f, &x[w->n + 1], &x[j], prec);
+            else
+                number_submul(f, &x[w->n + 1], &x[j], prec);
+        }
     }
+}
+
+/* g = minus (J x)_i. */
+static void differentiate_by_imaginary(number *g, const workspace *w, const number *x, int i)
+{
+    bool minus;
+    int j = turned(&minus, w, i);
+    if (minus)
+        number_set(g, &x[j]);
+    else
+        number_neg(g, &x[j]);
+}
+
+/* g = minus beta J_ij, for a g that is b_ij or b_ii - alpha. */
+static void subtract_turn(number *g, const workspace *w, const number *x, int i, int j, long prec)
+{
+    bool minus;
+    if (turned(&minus, w, i) != j)
+        return;
+    if (minus)
+        number_add(g, g, &x[w->n + 1], prec);
+    else
+        number_sub(g, g, &x[w->n + 1], prec);
 }
 
 /* derivative = F' at (for all points of) x, eigenvalue. */
@@ -78,10 +137,14 @@ static void differentiate(workspace *w, const number *x, long prec)
             number *g = &w->derivative[i * w->n + l];
             if (j == w->n) {
                 number_neg(g, &x[i]);
+            } else if (j == w->n + 1) {
+                differentiate_by_imaginary(g, w, x, i);
             } else {
                 number_set(g, &w->b[i * w->n + j]);
                 if (i == j)
                     number_sub(g, g, &x[w->n], prec);
+                if (w->complex_form)
+                    subtract_turn(g, w, x, i, j, prec);
             }
         }
 }
@@ -114,16 +177,16 @@ static void load(workspace *w, const eigenpair_choice *c, long prec)
 {
     for (int l = 0; l < w->n; l++)
         number_set_integer_2exp(&w->approximation[component(w, l)], &c->approximation[l], -c->grid, prec);
-    number_one(&w->approximation[w->pivot]);
+    fix(w->approximation, w);
     for (int i = 0; i < w->n * w->n; i++)
         number_set_integer_2exp(&w->inverse[i], &c->inverse[i], -EIGENPAIR_INVERSE_BITS, prec);
 }
 
-/* box = approximation +- radius, but for the pivot's 1. */
+/* box = approximation +- radius, but for what is fixed. */
 static void make_box(number *box, const workspace *w, const number *radius, long prec)
 {
-    for (int j = 0; j <= w->n; j++) {
-        if (j == w->pivot)
+    for (int j = 0; j < (int)eigenpair_box_size(w->n, w->complex_form); j++) {
+        if (is_fixed(w, j))
             number_set(&box[j], &w->approximation[j]);
         else
             number_add_error(&box[j], &w->approximation[j], radius, prec);
@@ -152,8 +215,10 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
     workspace w;
     number radius;
     truth proved = TRUTH_FALSE;
+    if (choice->complex_form && (choice->n % 2 || choice->pivot >= choice->n / 2))
+        return TRUTH_UNKNOWN; /* a choice that somebody else made */
     number_init(&radius);
-    if (workspace_make(&w, b, choice->n, choice->pivot)) {
+    if (workspace_make(&w, b, choice->n, choice->complex_form, choice->pivot)) {
         load(&w, choice, prec);
         number_set_integer_2exp(&radius, &choice->radius, -choice->grid, prec);
         make_box(box, &w, &radius, prec);
@@ -175,18 +240,20 @@ static truth start(workspace *w, double *work, eigenpair_choice *choice, long pr
 {
     int n = w->n;
     size_t square = (size_t)n * (size_t)n;
-    double *b = work, *inverse = work + square, *x = work + 2 * square, eigenvalue;
+    double *b = work, *inverse = work + square, *x = work + 2 * square, eigenvalue, imaginary = 0;
     truth found;
     for (int i = 0; i < n * n; i++)
         b[i] = number_mid_approx(&w->b[i]);
-    found = eigen_dominant_approx(&eigenvalue, x, &w->pivot, b, n);
+    found = w->complex_form ? eigen_dominant_complex_approx(&eigenvalue, &imaginary, x, &w->pivot, b, n) : eigen_dominant_approx(&eigenvalue, x, &w->pivot, b, n);
     if (found != TRUTH_TRUE)
         return found;
     choice->pivot = w->pivot;
     for (int j = 0; j < n; j++)
         number_set_double(&w->approximation[j], x[j], prec);
-    number_one(&w->approximation[w->pivot]);
+    fix(w->approximation, w);
     number_set_double(&w->approximation[n], eigenvalue, prec);
+    if (w->complex_form)
+        number_set_double(&w->approximation[n + 1], imaginary, prec);
     differentiate(w, w->approximation, prec);
     for (int i = 0; i < n * n; i++)
         b[i] = number_mid_approx(&w->derivative[i]);
@@ -253,7 +320,7 @@ static long improve(workspace *w, long unit, long prec)
    succeeds, then once more, so that rounding differently costs nothing. */
 static truth settle(workspace *w, eigenpair_choice *choice, long prec)
 {
-    number *box = number_array_new((size_t)w->n + 1);
+    number *box = number_array_new(eigenpair_box_size(w->n, w->complex_form));
     long bits = 0;
     truth proved = box ? TRUTH_UNKNOWN : TRUTH_FALSE;
     for (int l = 0; proved == TRUTH_UNKNOWN && l < w->n; l++)
@@ -277,18 +344,19 @@ static truth settle(workspace *w, eigenpair_choice *choice, long prec)
         if (proved == TRUTH_TRUE && !integer_mul_2exp(&choice->radius, &choice->radius, 2))
             proved = TRUTH_FALSE;
     }
-    free_numbers(box, (size_t)w->n + 1);
+    free_numbers(box, eigenpair_box_size(w->n, w->complex_form));
     return proved;
 }
 
-truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, long g, long prec)
+truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex_form, long g, long prec)
 {
     workspace w;
     size_t square = (size_t)n * (size_t)n;
     double *work = malloc((2 * square + (size_t)n) * sizeof *work);
     truth found = TRUTH_FALSE;
-    bool made = workspace_make(&w, b, n, 0);
+    bool made = workspace_make(&w, b, n, complex_form, 0);
     if (made && work && eigenpair_choice_make(z, n, g)) {
+        z->complex_form = complex_form;
         found = start(&w, work, z, prec);
         if (found == TRUTH_TRUE) {
             long unit = g + 64, step = unit, last;
@@ -302,4 +370,19 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, long g, long
     workspace_free(&w);
     free(work);
     return found;
+}
+
+void eigenpair_modulus(number *z, const number *box, int n, bool complex_form, long prec)
+{
+    number square;
+    if (!complex_form) {
+        number_abs(z, &box[n]);
+        return;
+    }
+    number_init(&square);
+    number_sqr(&square, &box[n + 1], prec);
+    number_sqr(z, &box[n], prec);
+    number_add(z, z, &square, prec);
+    number_sqrt(z, z, prec);
+    number_clear(&square);
 }

@@ -8,16 +8,17 @@
 #define EIGENPAIR_INVERSE_BITS 32
 
 typedef struct {
-    int n;                  /* order of the block */
-    int pivot;              /* the component of the eigenvector that is fixed to 1, from 0 */
+    int n;                  /* order of the real matrix */
+    bool complex_form;      /* it stands for a complex matrix of order n / 2 (lib/eigenpair.h) */
+    int pivot;              /* the component of the eigenvector that is fixed to 1, from 0; complex form: below n / 2 */
     long grid;              /* approximation and radius are in units of 2^-grid */
-    integer *approximation; /* n: the other components in order, then the eigenvalue */
+    integer *approximation; /* n: the other components in order, then the eigenvalue, then its imaginary part */
     integer radius;         /* of the box in every unknown, > 0 */
     integer *inverse;       /* n x n preconditioner, row by row, in units of 2^-EIGENPAIR_INVERSE_BITS */
 } eigenpair_choice;
 
 void eigenpair_choice_init(eigenpair_choice *z);
-BIGFLOAT_MUST_USE bool eigenpair_choice_make(eigenpair_choice *z, int n, long grid); /* all 0 */
+BIGFLOAT_MUST_USE bool eigenpair_choice_make(eigenpair_choice *z, int n, long grid); /* all 0, real form */
 void eigenpair_choice_clear(eigenpair_choice *z);
 
 #endif

@@ -4,23 +4,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const int child_count[ELEMENT_TYPES] = {4, 4, 2};
-static const int vertex_count[ELEMENT_TYPES] = {3, 3, 2};
-static const element_child children[ELEMENT_TYPES][ELEMENT_MAX_CHILDREN] = {
-    {{ELEMENT_UP, {0, 0}}, {ELEMENT_UP, {1, 0}}, {ELEMENT_UP, {0, 1}}, {ELEMENT_DOWN, {0, 0}}},
-    {{ELEMENT_DOWN, {1, 1}}, {ELEMENT_DOWN, {0, 1}}, {ELEMENT_DOWN, {1, 0}}, {ELEMENT_UP, {1, 1}}},
-    {{ELEMENT_EDGE, {1, 0}}, {ELEMENT_EDGE, {0, 1}}},
-};
-static const lattice vertices[ELEMENT_TYPES][3] = {
-    {{0, 0}, {1, 0}, {0, 1}},
-    {{1, 1}, {0, 1}, {1, 0}},
-    {{1, 0}, {0, 1}},
+/* What a type is: its mesh (of quads for primal and dual ones), vertices and children. */
+typedef struct {
+    bool triangle;
+    int vertices, children;
+    lattice vertex[4];
+    element_child child[ELEMENT_MAX_CHILDREN];
+} shape;
+
+static const shape shapes[ELEMENT_TYPES] = {
+    [ELEMENT_UP] = {true, 3, 4, {{0, 0}, {1, 0}, {0, 1}}, {{ELEMENT_UP, {0, 0}}, {ELEMENT_UP, {1, 0}}, {ELEMENT_UP, {0, 1}}, {ELEMENT_DOWN, {0, 0}}}},
+    [ELEMENT_DOWN] = {true, 3, 4, {{1, 1}, {0, 1}, {1, 0}}, {{ELEMENT_DOWN, {1, 1}}, {ELEMENT_DOWN, {0, 1}}, {ELEMENT_DOWN, {1, 0}}, {ELEMENT_UP, {1, 1}}}},
+    [ELEMENT_EDGE] = {true, 2, 2, {{1, 0}, {0, 1}}, {{ELEMENT_EDGE, {1, 0}}, {ELEMENT_EDGE, {0, 1}}}},
+    [ELEMENT_SQUARE] = {false, 4, 4, {{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{ELEMENT_SQUARE, {0, 0}}, {ELEMENT_SQUARE, {1, 0}}, {ELEMENT_SQUARE, {0, 1}}, {ELEMENT_SQUARE, {1, 1}}}},
+    [ELEMENT_ALONG_FIRST] = {false, 2, 2, {{0, 0}, {1, 0}}, {{ELEMENT_ALONG_FIRST, {0, 0}}, {ELEMENT_ALONG_FIRST, {1, 0}}}},
+    [ELEMENT_ALONG_SECOND] = {false, 2, 2, {{0, 0}, {0, 1}}, {{ELEMENT_ALONG_SECOND, {0, 0}}, {ELEMENT_ALONG_SECOND, {0, 1}}}},
 };
 
-int element_children(element_type type) { return child_count[type]; }
-element_child element_get_child(element_type type, int index) { return children[type][index]; }
-int element_vertices(element_type type) { return vertex_count[type]; }
-lattice element_get_vertex(element_type type, int index) { return vertices[type][index]; }
+bool element_is_of(element_type type, mesh_kind mesh) { return shapes[type].triangle == (mesh == MESH_TRIANGLE); }
+bool element_is_segment(element_type type) { return shapes[type].vertices == 2; }
+int element_children(element_type type) { return shapes[type].children; }
+element_child element_get_child(element_type type, int index) { return shapes[type].child[index]; }
+int element_vertices(element_type type) { return shapes[type].vertices; }
+lattice element_get_vertex(element_type type, int index) { return shapes[type].vertex[index]; }
 
 void element_stencil_init(element_stencil *z)
 {
@@ -41,13 +47,14 @@ void element_stencil_clear(element_stencil *z)
 }
 
 /* Can the basis function of y, which lives on y + hull of the mask, be non-zero on the element?  The hull is
-   widened to the hexagon of its extent, so "no" is certain. */
+   widened to the hexagon of its extent (on quads: to the rectangle), so "no" is certain. */
 static bool influences(element_type type, const laurent_extent *e, long a, long b)
 {
-    for (int f = 0; f < 3; f++) {
+    const shape *t = &shapes[type];
+    for (int f = 0; f < (t->triangle ? 3 : 2); f++) {
         long low = 0, high = 0;
-        for (int v = 0; v < vertex_count[type]; v++) {
-            long value = lattice_functional(f, vertices[type][v].a, vertices[type][v].b);
+        for (int v = 0; v < t->vertices; v++) {
+            long value = lattice_functional(f, t->vertex[v].a, t->vertex[v].b);
             low = v == 0 || value < low ? value : low;
             high = v == 0 || value > high ? value : high;
         }
@@ -96,24 +103,27 @@ static bool make_refinement(element_refinement *r, const element_window *parent,
     return true;
 }
 
-bool element_stencil_make(element_stencil *z, const laurent *mask)
+bool element_stencil_make(element_stencil *z, mesh_kind mesh, const laurent *mask)
 {
     laurent_extent e = laurent_get_extent(mask);
     for (int t = 0; t < ELEMENT_TYPES; t++)
-        if (!make_window(&z->window[t], (element_type)t, &e))
+        if (element_is_of((element_type)t, mesh) && !make_window(&z->window[t], (element_type)t, &e))
             return false;
     for (int t = 0; t < ELEMENT_TYPES; t++)
-        for (int c = 0; c < child_count[t]; c++)
-            if (!make_refinement(&z->child[t][c], &z->window[t], &z->window[children[t][c].type], children[t][c].shift, mask))
+        for (int c = 0; element_is_of((element_type)t, mesh) && c < shapes[t].children; c++) {
+            element_child child = shapes[t].child[c];
+            if (!make_refinement(&z->child[t][c], &z->window[t], &z->window[child.type], child.shift, mask))
                 return false;
+        }
     return true;
 }
 
 static int distance_to_element(element_type type, int a, int b)
 {
+    const shape *t = &shapes[type];
     int best = -1;
-    for (int v = 0; v < vertex_count[type]; v++) {
-        int d = lattice_distance(a - vertices[type][v].a, b - vertices[type][v].b);
+    for (int v = 0; v < t->vertices; v++) {
+        int d = mesh_distance(t->triangle ? MESH_TRIANGLE : MESH_QUAD, a - t->vertex[v].a, b - t->vertex[v].b);
         best = best < 0 || d < best ? d : best;
     }
     return best;

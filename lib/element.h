@@ -1,15 +1,18 @@
-/* element.h: the elements of a subdivided triangle mesh, and which points influence the limit on them
-   (verify/certificate.md, section 7).
+/* element.h: the elements of a subdivided mesh, and which points influence the limit on them (lib/ring.md, 1 and 2).
 
-   An element is UP(a,b), the triangle (a,b) (a+1,b) (a,b+1); DOWN(a,b), the triangle (a+1,b+1) (a,b+1) (a+1,b);
-   or EDGE(a,b), the segment from (a+1,b) to (a,b+1).  Everything here is combinatorial: small integers. */
+   Triangle meshes have the elements UP(a,b), the triangle (a,b) (a+1,b) (a,b+1); DOWN(a,b), the triangle (a+1,b+1)
+   (a,b+1) (a+1,b); and EDGE(a,b), the segment from (a+1,b) to (a,b+1).  Quad meshes have SQUARE(a,b), the square
+   with the corners (a,b) and (a+1,b+1); ALONG_FIRST(a,b), the segment from (a,b) to (a+1,b); and ALONG_SECOND(a,b),
+   the segment from (a,b) to (a,b+1).  On dual meshes elements are those of quads, in the coordinates in which the label
+   (a,b) lies at (a,b).  Everything here is combinatorial: small integers. */
 #ifndef LIB_ELEMENT_H
 #define LIB_ELEMENT_H
 
 #include "laurent.h"
+#include "mesh.h"
 
-typedef enum { ELEMENT_UP, ELEMENT_DOWN, ELEMENT_EDGE } element_type;
-enum { ELEMENT_TYPES = 3, ELEMENT_MAX_CHILDREN = 4 };
+typedef enum { ELEMENT_UP, ELEMENT_DOWN, ELEMENT_EDGE, ELEMENT_SQUARE, ELEMENT_ALONG_FIRST, ELEMENT_ALONG_SECOND } element_type;
+enum { ELEMENT_TYPES = 6, ELEMENT_MAX_CHILDREN = 4 };
 
 /* A child of the element at (a,b) lies at (2a + shift.a, 2b + shift.b) of the next level. */
 typedef struct {
@@ -17,6 +20,9 @@ typedef struct {
     lattice shift;
 } element_child;
 
+/* Do meshes of this kind have elements of this type? */
+bool element_is_of(element_type type, mesh_kind mesh);
+bool element_is_segment(element_type type);
 int element_children(element_type type); /* how many */
 element_child element_get_child(element_type type, int index);
 int element_vertices(element_type type);
@@ -38,7 +44,8 @@ typedef struct {
     int count;      /* points in the child's window */
 } element_refinement;
 
-/* The windows of one mask for all types, and the refinements from each to its children. */
+/* The windows of one mask for all types of its mesh (empty ones for other types), and the refinements from each to its
+   children. */
 typedef struct {
     element_window window[ELEMENT_TYPES];
     element_refinement child[ELEMENT_TYPES][ELEMENT_MAX_CHILDREN];
@@ -46,10 +53,10 @@ typedef struct {
 
 void element_stencil_init(element_stencil *z);
 void element_stencil_clear(element_stencil *z);
-BIGFLOAT_MUST_USE bool element_stencil_make(element_stencil *z, const laurent *mask);
+BIGFLOAT_MUST_USE bool element_stencil_make(element_stencil *z, mesh_kind mesh, const laurent *mask);
 
-/* The largest distance from a point that the stencil uses (y, and y + difference) to the nearest vertex of the
-   element, over the types given. */
+/* The largest distance (mesh_distance) from a point that the stencil uses, y and y + difference, to the nearest vertex
+   of the element.  The type must be one of the stencil's mesh. */
 int element_stencil_reach(const element_stencil *s, element_type type, lattice difference);
 
 #endif

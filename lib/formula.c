@@ -63,7 +63,7 @@ status formula_complain(const formula *f, exact_status s, const formula_point *a
         [EXACT_TOO_LARGE] = "a rational number of more than 16384 bits",
         [EXACT_UNDEFINED] = "cos and sin need a rational multiple of pi",
         [EXACT_NEGATIVE] = "the square root of something negative",
-        [EXACT_NOT_WHOLE] = "expected whole numbers (and none is 0 behind mod)",
+        [EXACT_NOT_WHOLE] = "mod takes two whole numbers, the second not 0",
         [EXACT_UNDECIDED] = "this comparison cannot be decided",
         [EXACT_NO_CASE] = "no case applies; add 'else: ...'",
     };
@@ -71,6 +71,10 @@ status formula_complain(const formula *f, exact_status s, const formula_point *a
     if (s == EXACT_NO_MEMORY)
         return STATUS_NO_MEMORY;
     describe_point(place, sizeof place, f, at);
+    if (s == EXACT_NONE && (f->depends & FORMULA_ON_INTERVAL))
+        return diagnostic_set(d, f->line, f->column, "expected one rational number, and this is an interval%s", place);
+    if (s == EXACT_NOT_WHOLE && f->kind == FORMULA_POWER)
+        return diagnostic_set(d, f->line, f->column, "expected a whole number as the exponent%s", place);
     return diagnostic_set(d, f->line, f->column, "%s%s", what[s], place);
 }
 

@@ -75,6 +75,11 @@ BIGFLOAT_MUST_USE bool formula_make_interval(formula **f, rational *low, rationa
 /* Is this a word that the language uses itself? */
 bool formula_is_reserved(const char *word, size_t length);
 
+/* Do both mean the same, evidently: are they the same trees, names written out?  (NULL is the same as NULL.) */
+bool formula_is_same(const formula *f, const formula *g);
+/* Does f evidently have the same value at j and k - j, for all k and 0 < j < k? */
+bool formula_is_even_in_sector(const formula *f);
+
 /* Where the variables stand.  Those that a formula does not depend on may have any value. */
 typedef struct {
     long k, m, j;

@@ -34,12 +34,21 @@ static char peek(reader *r)
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 static bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 
+/* How many characters the word or number at r->at has; 1 for anything else. */
+static int length_of_token(const reader *r)
+{
+    int length = 0;
+    while (r->at + length < r->end && length < 40 && (is_letter(r->at[length]) || is_digit(r->at[length]) || r->at[length] == '_'))
+        length++;
+    return length ? length : 1;
+}
+
 static status expected(reader *r, const char *what)
 {
     char c = peek(r);
     if (c == '\0')
-        return diagnostic_set(r->complaint, r->line, column_of(r, r->at), "expected %s, but the line ends", what);
-    return diagnostic_set(r->complaint, r->line, column_of(r, r->at), "expected %s, found '%c'", what, c);
+        return diagnostic_set(r->complaint, r->line, column_of(r, r->at), "expected %s, but the formula ends", what);
+    return diagnostic_set(r->complaint, r->line, column_of(r, r->at), "expected %s, found '%.*s'", what, length_of_token(r), r->at);
 }
 
 static bool take(reader *r, char c)
@@ -126,10 +135,11 @@ static status read_number(formula **z, reader *r)
 
 static status enter(reader *r)
 {
-    if (!take(r, '('))
+    if (peek(r) != '(')
         return expected(r, "'('");
     if (++r->depth > MAX_DEPTH)
         return diagnostic_set(r->complaint, r->line, column_of(r, r->at), "parentheses nest more than %d deep", MAX_DEPTH);
+    r->at++;
     return STATUS_OK;
 }
 
@@ -241,65 +251,73 @@ bool formula_is_reserved(const char *word, size_t length)
     return false;
 }
 
-/* How many letters must be put in, left out or changed to make one word of the other (up to a bound). */
+/* How many letters must be put in, left out, changed or exchanged with the next to make one word of the other (up to a
+   bound). */
 static int distance(const char *a, size_t m, const char *b, size_t n)
 {
-    int row[DEFINITION_MAX_NAME + 2];
+    int row[3][DEFINITION_MAX_NAME + 2];
     if (m > DEFINITION_MAX_NAME || n > DEFINITION_MAX_NAME)
         return DEFINITION_MAX_NAME;
     for (size_t j = 0; j <= n; j++)
-        row[j] = (int)j;
+        row[0][j] = (int)j;
     for (size_t i = 1; i <= m; i++) {
-        int diagonal = row[0];
-        row[0] = (int)i;
+        int *now = row[i % 3], *before = row[(i + 2) % 3], *earlier = row[(i + 1) % 3];
+        now[0] = (int)i;
         for (size_t j = 1; j <= n; j++) {
-            int best = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            best = row[j] + 1 < best ? row[j] + 1 : best;
-            best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
-            row[j] = best;
+            int best = before[j - 1] + (a[i - 1] != b[j - 1]);
+            best = before[j] + 1 < best ? before[j] + 1 : best;
+            best = now[j - 1] + 1 < best ? now[j - 1] + 1 : best;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && earlier[j - 2] + 1 < best)
+                best = earlier[j - 2] + 1;
+            now[j] = best;
         }
     }
-    return row[n];
+    return row[m % 3][n];
+}
+
+/* Keeps the name that is nearest to the word; anything but one slip in three letters is no help. */
+static void suggest(const char **best, int *least, const char *word, size_t length, const char *name)
+{
+    int d = distance(word, length, name, strlen(name));
+    if (d < *least && 3 * d <= (int)length) {
+        *best = name;
+        *least = d;
+    }
 }
 
 static status unknown_word(reader *r, const char *word, size_t length)
 {
     const char *best = NULL;
-    int least = 3; /* anything farther is no help */
+    int least = DEFINITION_MAX_NAME, shown = (int)(length > 40 ? 40 : length);
+    for (const char *const *w = other_words; *w; w++)
+        if (equals(*w, word, length))
+            return diagnostic_set(r->complaint, r->line, column_of(r, word), "'%.*s' has no meaning in a formula", shown, word);
     for (const function *f = functions; f->name; f++)
-        if (distance(word, length, f->name, strlen(f->name)) < least) {
-            best = f->name;
-            least = distance(word, length, f->name, strlen(f->name));
-        }
-    for (int i = 0; i < r->names->count; i++) {
-        const char *name = r->names->entry[i].name;
-        if (distance(word, length, name, strlen(name)) < least) {
-            best = name;
-            least = distance(word, length, name, strlen(name));
-        }
-    }
+        suggest(&best, &least, word, length, f->name);
+    for (int i = 0; i < r->names->count; i++)
+        suggest(&best, &least, word, length, r->names->entry[i].name);
     if (best)
-        return diagnostic_set(r->complaint, r->line, column_of(r, word), "unknown word '%.*s'; did you mean '%s'?", (int)(length > 40 ? 40 : length), word, best);
-    return diagnostic_set(r->complaint, r->line, column_of(r, word), "unknown word '%.*s': expected a number, k, pi, a function or a name defined before",
-                          (int)(length > 40 ? 40 : length), word);
+        return diagnostic_set(r->complaint, r->line, column_of(r, word), "unknown word '%.*s'; did you mean '%s'?", shown, word, best);
+    return diagnostic_set(r->complaint, r->line, column_of(r, word), "unknown word '%.*s': expected a number, k, pi, a function or a name defined before", shown, word);
 }
+
+static const char *const variables[] = {"k, the valence", "m, the frequency", "j, the sector"};
 
 static status read_variable(formula **z, reader *r, const char *word)
 {
-    static const char *const meaning[] = {"k, the valence", "m, the frequency", "j, the sector"};
     int which = *word == 'k' ? 0 : *word == 'm' ? 1 : 2;
     unsigned flag = 1u << which;
     if (!(r->allowed & flag))
-        return diagnostic_set(r->complaint, r->line, column_of(r, word), "%s, has no meaning here", meaning[which]);
+        return diagnostic_set(r->complaint, r->line, column_of(r, word), "%s, has no meaning here", variables[which]);
     return make_leaf(z, FORMULA_VARIABLE, *word, flag, r, word);
 }
 
 static status read_reference(formula **z, reader *r, const formula *value, const char *word)
 {
     status s;
-    if (value->depends & ~(r->allowed | FORMULA_ON_INTERVAL))
-        return diagnostic_set(r->complaint, r->line, column_of(r, word), "the value of this name depends on something that has no meaning here");
+    for (int i = 0; i < 3; i++)
+        if (value->depends & ~r->allowed & (1u << i))
+            return diagnostic_set(r->complaint, r->line, column_of(r, word), "the value of this name depends on %s, which has no meaning here", variables[i]);
     s = make_leaf(z, FORMULA_REFERENCE, 0, value->depends, r, word);
     if (s == STATUS_OK) {
         (*z)->definition = value;
@@ -341,6 +359,8 @@ static status read_primary(formula **z, reader *r)
         return read_word(z, r);
     if (c == '(')
         return read_parenthesis(z, r);
+    if (peek(r) == '[')
+        return expected(r, "a number, a word or '(' (an interval can only be the whole value of a parameter)");
     return expected(r, "a number, a word or '('");
 }
 
@@ -445,6 +465,8 @@ static status read_comparison(formula **z, reader *r)
         r->at = place;
         return expected(r, "a comparison: = != < <= > or >=");
     }
+    if (peek(r) == '=')
+        return expected(r, "a formula behind the comparison (equality is written with one '=')");
     s = wrap(z, FORMULA_COMPARE, op, r, place);
     if (s != STATUS_OK)
         return s;
@@ -460,6 +482,7 @@ static status read_comparison(formula **z, reader *r)
 static status read_condition(formula **z, reader *r)
 {
     status s = read_comparison(z, r);
+    peek(r);
     const char *place = r->at;
     const char *word = s != STATUS_OK ? NULL : take_word(r, "and") ? "and" : take_word(r, "or") ? "or" : NULL;
     if (s != STATUS_OK || !word)
@@ -476,6 +499,12 @@ static status read_condition(formula **z, reader *r)
         if (!take_word(r, word))
             break;
     }
+    if (s == STATUS_OK) {
+        peek(r);
+        const char *other = r->at;
+        if (take_word(r, "and") || take_word(r, "or"))
+            return diagnostic_set(r->complaint, r->line, column_of(r, other), "'and' and 'or' cannot be mixed in one condition");
+    }
     return s;
 }
 
@@ -486,6 +515,8 @@ static status read_all(formula **f, status (*read)(formula **, reader *), reader
     status s;
     *f = NULL;
     s = read(f, r);
+    if (s == STATUS_OK && peek(r) == ',')
+        s = expected(r, "an operator or the end of the line (decimals have a point: 0.5)");
     if (s == STATUS_OK && peek(r) != '\0')
         s = expected(r, "an operator or the end of the line");
     if (s != STATUS_OK) {

@@ -125,6 +125,25 @@ bool laurent_set(laurent *z, const laurent *x)
     return ok;
 }
 
+bool laurent_sub(laurent *z, const laurent *x, const laurent *y)
+{
+    long low_a = x->a0 < y->a0 ? x->a0 : y->a0, low_b = x->b0 < y->b0 ? x->b0 : y->b0;
+    long high_a = x->a0 + x->na > y->a0 + y->na ? x->a0 + x->na : y->a0 + y->na;
+    long high_b = x->b0 + x->nb > y->b0 + y->nb ? x->b0 + x->nb : y->b0 + y->nb;
+    laurent t;
+    bool ok;
+    laurent_init(&t);
+    ok = laurent_set_box(&t, low_a, low_b, high_a - low_a, high_b - low_b) && integer_mul(&t.denominator, &x->denominator, &y->denominator);
+    for (long a = low_a; ok && a < high_a; a++)
+        for (long b = low_b; ok && b < high_b; b++) {
+            const integer *p = laurent_at(x, a, b), *q = laurent_at(y, a, b);
+            ok = (!p || integer_addmul(at(&t, a, b), p, &y->denominator)) && (!q || integer_submul(at(&t, a, b), q, &x->denominator));
+        }
+    laurent_swap(z, &t);
+    laurent_clear(&t);
+    return ok;
+}
+
 /* Adds c * (y's coefficients), moved by (a,b), to z. */
 static bool add_multiple(laurent *z, const integer *c, long a, long b, const laurent *y)
 {

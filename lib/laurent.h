@@ -36,6 +36,7 @@ bool laurent_is_zero_at(const laurent *x, long a, long b);
 /* q = the coefficient at (a,b). */
 BIGFLOAT_MUST_USE bool laurent_get(rational *q, const laurent *x, long a, long b);
 
+BIGFLOAT_MUST_USE bool laurent_sub(laurent *z, const laurent *x, const laurent *y);
 /* Fast if x has many zeros. */
 BIGFLOAT_MUST_USE bool laurent_mul(laurent *z, const laurent *x, const laurent *y);
 BIGFLOAT_MUST_USE bool laurent_mul_si(laurent *z, const laurent *x, long v);

@@ -5,34 +5,53 @@ LIB_SOURCES = \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
-  lib/formula.h lib/formula.c lib/formula_read.c \
+  lib/formula.h lib/formula.c lib/formula_form.c lib/formula_read.c \
+  lib/exact_range.h lib/exact_range.c \
   lib/text.h lib/text.c \
   lib/mesh.h lib/mesh.c \
   lib/power.h lib/power.c \
   lib/regular.h lib/regular.c \
   lib/comparison.h lib/comparison.c \
+  lib/decomposition.h lib/decomposition.c \
   lib/stability.h lib/stability.c \
+  lib/regular_refutation.h lib/regular_refutation.c \
   lib/scheme.h lib/scheme.c \
-  lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c \
-  lib/scheme_compose.c lib/scheme_read.c \
+  lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
+  lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
+  lib/bernstein.h lib/bernstein.c \
+  lib/influence.h lib/influence.c \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
-  lib/eigenpair_choice.h lib/eigenpair_choice.c
+  lib/eigenpair_choice.h lib/eigenpair_choice.c \
+  lib/cover_list.h lib/cover_list.c \
+  lib/monotone_list.h lib/monotone_list.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
   lib/formula_value.h lib/formula_value.c \
+  lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
+  lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
+  lib/eigenpair_slope.h lib/eigenpair_slope.c \
+  lib/monotone.h lib/monotone.c \
   lib/charnet.h lib/charnet.c
+
+# Compiled for jets of every kind of number, too.
+LIB_JET_SOURCES = \
+  lib/formula_range.h \
+  lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
+  lib/block.h lib/block.c \
+  lib/block_slope.h lib/block_slope.c
 
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
@@ -53,6 +72,7 @@ CATALOGUE = \
   lib/catalogue/kobbelt.scheme
 
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
+JET_SOURCES += $(LIB_JET_SOURCES)
 
 noinst_LIBRARIES += libscheme.a
 libscheme_a_SOURCES = $(LIB_SOURCES)
@@ -65,5 +85,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

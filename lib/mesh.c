@@ -29,6 +29,22 @@ bool mesh_reduce(mesh_kind mesh, bool regular, int *a, int *b, int *turns)
     return true;
 }
 
+lattice mesh_turn(mesh_kind mesh, lattice p, int turns)
+{
+    int one = mesh == MESH_DUAL; /* the centre is (1/2, 1/2) there */
+    for (; turns > 0; turns--)
+        p = (lattice){one - p.b, mesh == MESH_TRIANGLE ? p.a + p.b : p.a};
+    for (; turns < 0; turns++)
+        p = (lattice){mesh == MESH_TRIANGLE ? p.a + p.b : p.b, one - p.a};
+    return p;
+}
+
+int mesh_distance(mesh_kind mesh, int a, int b)
+{
+    int p = a < 0 ? -a : a, q = b < 0 ? -b : b;
+    return mesh == MESH_TRIANGLE ? lattice_distance(a, b) : p > q ? p : q;
+}
+
 lattice mesh_rotate_mask(mesh_kind mesh, lattice p)
 {
     lattice q = {mesh == MESH_DUAL ? -p.b - 1 : -p.b, mesh == MESH_TRIANGLE ? p.a + p.b : p.a};

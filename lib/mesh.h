@@ -37,6 +37,12 @@ static inline int mesh_ring(mesh_kind mesh, int a, int b)
    (which is the plane: any way round gives the same). */
 bool mesh_reduce(mesh_kind mesh, bool regular, int *a, int *b, int *turns);
 
+/* Turns a label of the plane by `turns` sectors of the regular complex, counter-clockwise, about the centre. */
+lattice mesh_turn(mesh_kind mesh, lattice p, int turns);
+
+/* How long the vector (a,b) is: |(a,b)| of lib/scheme.md on triangles, max(|a|, |b|) on quads. */
+int mesh_distance(mesh_kind mesh, int a, int b);
+
 /* The symmetries of masks, on labels (new - 2 old): rotation about the centre by one sector of the regular complex,
    and reflection. */
 lattice mesh_rotate_mask(mesh_kind mesh, lattice p);

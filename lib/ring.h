@@ -1,5 +1,5 @@
 /* ring.h: where the characteristic map is examined: the ring of elements that is far enough out for the regular rules
-   (verify/certificate.md, section 7).  Combinatorial and exact. */
+   (lib/ring.md).  Combinatorial and exact. */
 #ifndef LIB_RING_H
 #define LIB_RING_H
 
@@ -19,11 +19,13 @@ typedef struct {
     const laurent *mask[RING_NETS];    /* the scheme's, and 2 a_1, 2 a_2; kept by the scheme and `regular` */
     element_stencil stencil[RING_NETS];
     bool nonnegative;                  /* all three masks are: limits are convex combinations, K = 1 */
-    int radius;                        /* r: the ring is r <= a + b <= 2r */
+    int radius;                        /* r: the ring is r <= a + b <= 2r; on quads r <= max(a,b) <= 2r */
     int rings;                         /* the net is needed on the rings up to here */
-    element *elements;                 /* the triangles of one sector of the ring, in the order of certificates */
+    element *elements;                 /* what fills one sector of the ring, in the order of certificates: the UPs, then
+                                          the DOWNs, by a + b, then b; or the SQUAREs, by max(a,b), then b, then falling a */
     int element_count;
-    element *boundary;                 /* the edges on its outer curve a + b = 2r */
+    element *boundary;                 /* the segments on one sector of its outer curve: EDGEs by b; or, counter-clockwise,
+                                          ALONG_SECONDs with a = 2r by b, then ALONG_FIRSTs with b = 2r by falling a */
     int boundary_count;
 } ring;
 

@@ -36,6 +36,7 @@ void scheme_clear(scheme *z)
     for (int i = 0; i < z->definitions.count; i++)
         formula_free(z->definitions.entry[i].value);
     text_clear(&z->source);
+    free(z->text);
     scheme_init(z);
 }
 

@@ -18,6 +18,9 @@
 #define SCHEME_MAX_STEPS 34
 #define SCHEME_MAX_RULES 16
 #define SCHEME_MAX_SOURCES 32
+/* The operations of all formulas together, definitions written out, repetitions counted: exact arithmetic does
+   that many in about a second, on the longest rationals. */
+#define SCHEME_MAX_OPERATIONS 20000
 
 typedef enum {
     SOURCE_CENTRE,   /* the extraordinary vertex */
@@ -59,6 +62,8 @@ typedef struct {
 typedef struct {
     char name[SCHEME_NAME_MAX + 1];
     source_text source;
+    char *text;            /* canonical, with the values that settings gave to parameters: what certificates contain */
+    size_t text_length;
     definitions definitions;
     mesh_kind mesh;
     scheme_step steps[SCHEME_MAX_STEPS];

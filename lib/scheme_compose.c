@@ -172,6 +172,8 @@ static status add_repeated(scheme_reader *r)
     status s;
     while (colon < r->line->length && r->line->text[colon] != ':')
         colon++;
+    if (colon == r->line->length)
+        return reader_complain(r, "expected 'repeat COUNT: smooth ALPHA, BETA'%s, and there is no ':'", "");
     rational_init(&value);
     s = reader_formula_until(&count, r, colon, 0);
     if (s == STATUS_OK)
@@ -207,6 +209,8 @@ static status read_average(bool *average, scheme_reader *r)
         s = formula_read_condition(&condition, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column + r->at, &r->z->definitions, 0, r->complaint);
         r->at = r->line->length;
         if (s == STATUS_OK)
+            s = reader_count(r, condition);
+        if (s == STATUS_OK)
             s = formula_condition(average, condition, &nowhere, r->complaint);
         formula_free(condition);
     }
@@ -220,10 +224,10 @@ static status compose_masks(scheme_reader *r)
     if (!laurent_set(&z->mask, &z->steps[0].mask))
         return STATUS_NO_MEMORY;
     for (int i = 1; i < z->step_count; i++) {
+        if (integer_bits(&z->mask.denominator) + integer_bits(&z->steps[i].mask.denominator) > EXACT_MAX_BITS)
+            return reader_complain(r, "the weights of the composed mask have a common denominator of more than %s bits", "16384");
         if (!laurent_mul(&z->mask, &z->steps[i].mask, &z->mask))
             return STATUS_NO_MEMORY;
-        if (integer_bits(&z->mask.denominator) > EXACT_MAX_BITS)
-            return reader_complain(r, "the weights of the composed mask have a common denominator of more than %s bits", "16384");
     }
     return STATUS_OK;
 }

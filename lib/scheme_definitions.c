@@ -43,6 +43,8 @@ static status read_rational(rational *value, formula **f, const char *text, size
 {
     formula_point nowhere = {0, 0, 0};
     status s = formula_read(f, text, length, line, column, &r->z->definitions, 0, r->complaint);
+    if (s == STATUS_OK)
+        s = reader_count(r, *f);
     return s == STATUS_OK ? formula_exact_rational(value, *f, &nowhere, r->complaint) : s;
 }
 

@@ -1,6 +1,7 @@
 /* scheme_lines.c: words, points and formulas in the lines of a scheme file, with their places. */
 #include "scheme_reader.h"
 
+#include <stdio.h>
 #include <string.h>
 
 void reader_next_line(scheme_reader *r)
@@ -74,18 +75,21 @@ status reader_expect_end(scheme_reader *r)
 /* A whole number of one or two digits, or for dual meshes an odd number of halves; *twice is twice its value. */
 static status read_coordinate(int *twice, bool dual, scheme_reader *r)
 {
+    size_t start = (reader_skip_blank(r), r->at);
     bool negative = reader_take(r, '-');
     int digits = 0, value = 0;
-    if (!negative)
-        reader_skip_blank(r);
     while (digits < 3 && r->at < r->line->length && is_digit(r->line->text[r->at])) {
         value = 10 * value + (r->line->text[r->at++] - '0');
         digits++;
     }
-    if (digits != 1 && digits != 2)
+    if (digits != 1 && digits != 2) {
+        r->at = start;
         return reader_expected(r, "a coordinate of one or two digits");
-    if (dual && (value % 2 == 0 || r->line->length - r->at < 2 || memcmp(r->line->text + r->at, "/2", 2)))
+    }
+    if (dual && (value % 2 == 0 || r->line->length - r->at < 2 || memcmp(r->line->text + r->at, "/2", 2))) {
+        r->at = start;
         return reader_expected(r, "halves such as 1/2 or -3/2 (points of dual meshes lie in the middle of squares)");
+    }
     if (dual)
         r->at += 2;
     *twice = (negative ? -1 : 1) * (dual ? value : 2 * value);
@@ -109,6 +113,20 @@ status reader_point(lattice *twice, mesh_kind mesh, scheme_reader *r)
     return reader_take(r, ')') ? STATUS_OK : reader_expected(r, "')'");
 }
 
+/* A complaint about the label p of a point, which says what its name is if it lies in a sector nearby. */
+static status expected_in_sector(lattice p, mesh_kind mesh, scheme_reader *r)
+{
+    char text[200];
+    int turns, n = snprintf(text, sizeof text, "%s", mesh == MESH_DUAL ? "a point of the sector: both coordinates at least 1/2 and at most 31/2"
+                                                                       : "a point of the sector: (a,b) with a >= 1, b >= 0, at most 16 rings out");
+    bool other = !mesh_in_sector(mesh, p.a, p.b) && !mesh_is_centre(mesh, p.a, p.b) && mesh_reduce(mesh, false, &p.a, &p.b, &turns);
+    if (other && mesh == MESH_DUAL)
+        snprintf(text + n, sizeof text - (size_t)n, " (this one is (%d/2,%d/2) of sector %d)", 2 * p.a - 1, 2 * p.b - 1, turns);
+    else if (other)
+        snprintf(text + n, sizeof text - (size_t)n, " (this one is (%d,%d) of sector %d)", p.a, p.b, turns);
+    return reader_expected(r, text);
+}
+
 /* The label of a point of the sector, from twice its coordinates: (a - 1/2) for dual meshes. */
 status reader_sector_point(lattice *p, mesh_kind mesh, scheme_reader *r)
 {
@@ -121,11 +139,17 @@ status reader_sector_point(lattice *p, mesh_kind mesh, scheme_reader *r)
         return s;
     p->a = mesh == MESH_DUAL ? (p->a + 1) / 2 : p->a / 2;
     p->b = mesh == MESH_DUAL ? (p->b + 1) / 2 : p->b / 2;
-    if (!mesh_in_sector(mesh, p->a, p->b) || mesh_ring(mesh, p->a, p->b) > 2 * SCHEME_MAX_REACH) {
-        r->at = place;
-        return reader_expected(r, mesh == MESH_DUAL ? "a point of the sector: both coordinates at least 1/2 and at most 31/2"
-                                             : "a point of the sector: (a,b) with a >= 1, b >= 0, at most 16 rings out");
-    }
+    if (mesh_in_sector(mesh, p->a, p->b) && mesh_ring(mesh, p->a, p->b) <= 2 * SCHEME_MAX_REACH)
+        return STATUS_OK;
+    r->at = place;
+    return expected_in_sector(*p, mesh, r);
+}
+
+status reader_count(scheme_reader *r, const formula *f)
+{
+    r->operations += f->size;
+    if (r->operations > SCHEME_MAX_OPERATIONS)
+        return diagnostic_set(r->complaint, f->line, f->column, "with this one the formulas of the file have more than %d operations, definitions written out", SCHEME_MAX_OPERATIONS);
     return STATUS_OK;
 }
 
@@ -137,7 +161,7 @@ status reader_formula_until(formula **f, scheme_reader *r, size_t end, unsigned 
         return reader_expected(r, "a formula");
     status s = formula_read(f, r->line->text + r->at, end - r->at, r->line->line, r->line->column + r->at, &r->z->definitions, allowed, r->complaint);
     r->at = end;
-    return s;
+    return s == STATUS_OK ? reader_count(r, *f) : s;
 }
 
 status reader_formula(formula **f, scheme_reader *r, unsigned allowed)

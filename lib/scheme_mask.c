@@ -1,6 +1,7 @@
 /* scheme_mask.c: masks, their orbits, and what must hold for them. */
 #include "scheme_reader.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,7 +11,24 @@ typedef struct {
     lattice point[MAX_MASK_POINTS];
     rational weight[MAX_MASK_POINTS];
     size_t count;
+    integer denominator; /* common to all weights */
 } terms;
+
+/* Masks are kept over a common denominator, which must stay within the limits, too. */
+static status add_denominator(terms *t, const integer *denominator, const scheme_reader *r)
+{
+    integer common, missing;
+    bool ok;
+    integer_init(&common);
+    integer_init(&missing);
+    ok = integer_gcd(&common, &t->denominator, denominator) && integer_divexact(&missing, denominator, &common)
+         && integer_mul(&t->denominator, &t->denominator, &missing);
+    integer_clear(&common);
+    integer_clear(&missing);
+    if (ok && integer_bits(&t->denominator) > EXACT_MAX_BITS)
+        return reader_complain(r, "with this one the weights of the mask have a common denominator of more than %s bits", "16384");
+    return ok ? STATUS_OK : STATUS_NO_MEMORY;
+}
 
 static status add_term(terms *t, lattice p, const rational *weight, const scheme_reader *r)
 {
@@ -69,10 +87,26 @@ static status read_mask_line(terms *t, bool symmetric, scheme_reader *r)
     if (s == STATUS_OK)
         s = formula_exact_rational(&weight, f, &nowhere, r->complaint);
     if (s == STATUS_OK)
+        s = add_denominator(t, &weight.denominator, r);
+    if (s == STATUS_OK)
         s = symmetric ? add_orbit(t, mesh, p, &weight, r) : add_term(t, p, &weight, r);
     rational_clear(&weight);
     formula_free(f);
     return s;
+}
+
+/* Of the new points with a, b even or odd, as the bits of `class` say.  On dual meshes every square has four new points, and
+   their offsets 1/2, 5/2 ... and -1/2, 3/2 ... from old ones take the place of even and odd. */
+static status complain_of_class(const scheme_reader *r, int class, const char *sum)
+{
+    static const char *const parity[4] = {"an even a and an even b", "an even a and an odd b", "an odd a and an even b", "an odd a and an odd b"};
+    static const char *const halves[4] = {"both a and b are", "a, but not b, is", "b, but not a, is", "neither a nor b is"};
+    char what[100];
+    if (r->z->mesh == MESH_DUAL)
+        snprintf(what, sizeof what, "(a,b) where %s among ... -3/2, 1/2, 5/2 ...", halves[class]);
+    else
+        snprintf(what, sizeof what, "(a,b) with %s", parity[class]);
+    return diagnostic_set(r->complaint, r->line->line, r->line->column[0], "the weights of the mask at the points %s sum to %.100s, not to 1", what, sum);
 }
 
 static status check_class_sums(const scheme_reader *r, const laurent *mask)
@@ -85,7 +119,7 @@ static status check_class_sums(const scheme_reader *r, const laurent *mask)
             s = STATUS_NO_MEMORY;
         } else if (rational_cmp_si(&sum, 1, 1) != 0) {
             char *value = rational_get_str(&sum);
-            s = value ? reader_complain(r, "the weights of the mask for one of its four classes of new points sum to %.100s, not to 1", value) : STATUS_NO_MEMORY;
+            s = value ? complain_of_class(r, i, value) : STATUS_NO_MEMORY;
             free(value);
         }
     }
@@ -151,6 +185,8 @@ status read_mask(scheme_reader *r)
     terms *t = calloc(1, sizeof *t);
     if (!t)
         return STATUS_NO_MEMORY;
+    integer_init(&t->denominator);
+    integer_set_si(&t->denominator, 1);
     while (s == STATUS_OK) {
         reader_next_line(r);
         if (reader_take_word(r, "end"))
@@ -172,6 +208,7 @@ status read_mask(scheme_reader *r)
     }
     for (size_t i = 0; i < t->count; i++)
         rational_clear(&t->weight[i]);
+    integer_clear(&t->denominator);
     free(t);
     return s;
 }

@@ -8,6 +8,7 @@ static status read_name(scheme_reader *r)
     if (!reader_take_word(r, "scheme"))
         return reader_expected(r, "'scheme NAME' as the first statement");
     reader_skip_blank(r);
+    size_t start = r->at;
     while (r->at < r->line->length && n <= SCHEME_NAME_MAX) {
         char c = r->line->text[r->at];
         if (!is_letter(c) && (n == 0 || !(is_digit(c) || c == '-')))
@@ -17,6 +18,8 @@ static status read_name(scheme_reader *r)
         n++;
         r->at++;
     }
+    if (n > SCHEME_NAME_MAX)
+        r->at = start;
     if (n == 0 || n > SCHEME_NAME_MAX || !reader_at_end(r))
         return reader_expected(r, "a name (a lower-case letter, then at most 63 lower-case letters, digits and '-')");
     r->z->name[n] = '\0';
@@ -72,15 +75,17 @@ static status read_body(scheme_reader *r)
     s = read_mask(r);
     for (reader_next_line(r); s == STATUS_OK && reader_take_word(r, "rule"); reader_next_line(r))
         s = read_rule(r);
+    if (s == STATUS_OK && r->z->mirror_symmetric) /* the mask is */
+        s = find_symmetry(&r->z->mirror_symmetric, &r->z->steps[0], r->z->mesh);
     return s;
 }
 
 status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_settings *settings, diagnostic *d)
 {
-    scheme_reader r = {z, 0, NULL, 0, settings, d};
+    scheme_reader r = {z, 0, NULL, 0, 0, settings, d};
     status s = text_read(&z->source, bytes, length, d);
     if (s != STATUS_OK || (s = read_name(&r)) != STATUS_OK || (s = read_mesh(&r)) != STATUS_OK || (s = read_dilation(&r)) != STATUS_OK
         || (s = read_vertices(&r)) != STATUS_OK || (s = read_definitions(&r)) != STATUS_OK || (s = read_body(&r)) != STATUS_OK)
         return s;
-    return r.line ? reader_expected(&r, "nothing more") : STATUS_OK;
+    return r.line ? reader_expected(&r, "nothing more") : scheme_set_text(&r);
 }

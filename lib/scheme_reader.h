@@ -11,6 +11,7 @@ typedef struct {
     size_t next;            /* index of the next line */
     const text_line *line;  /* the current one; NULL at the end */
     size_t at;              /* in the current line */
+    long operations;        /* of all formulas so far, definitions written out */
     const scheme_settings *settings;
     diagnostic *complaint;
 } scheme_reader;
@@ -36,6 +37,8 @@ status reader_complain(const scheme_reader *r, const char *format, const char *w
 /* Twice the coordinates of a point; the label of a point of the sector. */
 status reader_point(lattice *twice, mesh_kind mesh, scheme_reader *r);
 status reader_sector_point(lattice *p, mesh_kind mesh, scheme_reader *r);
+/* Counts a formula's operations; refuses what would take too long to evaluate. */
+status reader_count(scheme_reader *r, const formula *f);
 /* The formula up to `end`, or that fills the rest of the line. */
 status reader_formula_until(formula **f, scheme_reader *r, size_t end, unsigned allowed);
 status reader_formula(formula **f, scheme_reader *r, unsigned allowed);
@@ -48,8 +51,12 @@ status read_definitions(scheme_reader *r);
 status read_mask(scheme_reader *r);
 /* scheme_rule.c; the current line begins with `rule`. */
 status read_rule(scheme_reader *r);
+/* scheme_symmetry.c: are the rules evidently invariant under reflection? */
+status find_symmetry(bool *symmetric, const scheme_step *step, mesh_kind mesh);
 /* scheme_compose.c; the current line begins with `compose`. */
 status read_compose(scheme_reader *r);
+/* z->text, when everything has been read. */
+status scheme_set_text(scheme_reader *r);
 
 /* The whole mask of a scheme whose mesh is r->z->mesh: affine, and the same seen from every sector (scheme_mask.c). */
 status check_mask(scheme_reader *r, const laurent *mask);

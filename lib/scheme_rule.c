@@ -17,6 +17,8 @@ static status read_offset(source *s, scheme_reader *r)
 {
     bool negative;
     int digits = 0;
+    reader_skip_blank(r);
+    size_t start = r->at;
     if (reader_take_word(r, "j")) {
         s->kind = SOURCE_SECTORS;
         return STATUS_OK;
@@ -27,7 +29,10 @@ static status read_offset(source *s, scheme_reader *r)
         digits++;
     }
     s->offset = negative ? -s->offset : s->offset;
-    return digits >= 1 && digits <= 3 ? STATUS_OK : reader_expected(r, "j, or a whole number of sectors");
+    if (digits >= 1 && digits <= 3)
+        return STATUS_OK;
+    r->at = start;
+    return reader_expected(r, "j, or a whole number of sectors with at most three digits");
 }
 
 /* Behind `spectrum`: a formula in k and m, or two with a comma between: real and imaginary part. */
@@ -60,9 +65,14 @@ static status read_source(source *s, scheme_reader *r)
         return read_weight(&s->weight, r, allowed);
     }
     s->kind = reader_take_word(r, "all") ? SOURCE_ALL : SOURCE_POINT;
+    reader_skip_blank(r);
+    if (s->kind == SOURCE_POINT && (reader_at_end(r) || r->line->text[r->at] != '('))
+        return reader_expected(r, mesh == MESH_DUAL ? "'all', a point such as (1/2,1/2), or 'end'" : "'centre', 'all', a point such as (1,0), or 'end'");
     result = reader_sector_point(&s->point, mesh, r);
     if (result != STATUS_OK)
         return result;
+    if (s->kind == SOURCE_ALL && (reader_skip_blank(r), r->at < r->line->length) && r->line->text[r->at] == '@')
+        return reader_expected(r, "a weight ('all' takes the points of all sectors)");
     if (s->kind == SOURCE_POINT && reader_take_word(r, "spectrum")) {
         s->kind = SOURCE_SPECTRUM;
         return read_spectrum(s, r);
@@ -74,7 +84,10 @@ static status read_source(source *s, scheme_reader *r)
     }
     if (s->kind == SOURCE_SECTORS)
         allowed |= FORMULA_ON_SECTOR;
-    return read_weight(&s->weight, r, allowed);
+    result = read_weight(&s->weight, r, allowed);
+    if (result == STATUS_OK && s->kind == SOURCE_SECTORS && !s->weight)
+        return reader_complain(r, "%s cannot be the weights of all sectors; give it to another point", "'rest'");
+    return result;
 }
 
 /* Sums to 1 exactly: one weight is `rest`; if none is, then the value of the one spectrum at m = 0 is. */
@@ -84,8 +97,6 @@ static status check_rest(rule *z, const scheme_reader *r)
     for (int i = 0; i < z->count; i++) {
         spectra += z->sources[i].kind == SOURCE_SPECTRUM;
         rests += !z->sources[i].weight;
-        if (!z->sources[i].weight && z->sources[i].kind == SOURCE_SECTORS)
-            return reader_complain(r, "%s cannot be the weights of all sectors; give it to another point", "'rest'");
     }
     z->spectrum_takes_rest = rests == 0 && spectra == 1;
     if (rests == 1 || z->spectrum_takes_rest)
@@ -104,7 +115,7 @@ static status read_when(rule *z, scheme_reader *r)
     status s = formula_read_condition(&z->condition, r->line->text + r->at, r->line->length - r->at, r->line->line, r->line->column + r->at,
                                       &r->z->definitions, FORMULA_ON_VALENCE, r->complaint);
     r->at = r->line->length;
-    return s;
+    return s == STATUS_OK ? reader_count(r, z->condition) : s;
 }
 
 static status read_rule_body(rule *z, scheme_reader *r)
@@ -113,6 +124,8 @@ static status read_rule_body(rule *z, scheme_reader *r)
     z->line = r->line->line;
     if (reader_take_word(r, "centre"))
         z->at_centre = true;
+    else if (reader_at_end(r) || r->line->text[r->at] != '(')
+        return reader_expected(r, r->z->mesh == MESH_DUAL ? "a point such as (1/2,1/2)" : "'centre' or a point such as (1,0)");
     else
         s = reader_sector_point(&z->point, r->z->mesh, r);
     if (s == STATUS_OK && z->at_centre && r->z->mesh == MESH_DUAL)
@@ -128,6 +141,8 @@ static status read_rule_body(rule *z, scheme_reader *r)
         if (z->count == SCHEME_MAX_SOURCES)
             return reader_complain(r, "a rule may have %s sources at most", "32");
         s = read_source(&z->sources[z->count], r);
+        if (s == STATUS_OK && z->at_centre && z->sources[z->count].kind > SOURCE_ALL) /* a single sector would turn nets of one frequency into others */
+            s = reader_complain(r, "a rule for the centre must treat all sectors alike: write %s, with the weight of all of them together", "'all' in front of the point");
         z->count++; /* also after a complaint: its formulas are freed with the rule */
     }
     if (s == STATUS_OK)
@@ -135,28 +150,11 @@ static status read_rule_body(rule *z, scheme_reader *r)
     return s == STATUS_OK ? check_rest(z, r) : s;
 }
 
-/* Is a rule evidently the same seen in a mirror?  The target must lie on a spoke or a bisector, and the sources be
-   the centre, whole rings, or the target's own label with a real spectrum. */
-static bool is_mirror_symmetric(const rule *z, mesh_kind mesh)
-{
-    bool spoke = !z->at_centre && mesh != MESH_DUAL && z->point.b == 0;
-    if (!z->at_centre && !spoke && z->point.a != z->point.b)
-        return false;
-    for (int i = 0; i < z->count; i++) {
-        const source *s = &z->sources[i];
-        bool same_axis = !z->at_centre && (spoke ? s->point.b == 0 && mesh != MESH_DUAL : s->point.a == s->point.b);
-        if (s->kind == SOURCE_SECTORS || s->imaginary || (s->kind == SOURCE_POINT && (s->offset != 0 || !same_axis)) || (s->kind == SOURCE_SPECTRUM && !same_axis))
-            return false;
-    }
-    return true;
-}
-
 /* The current line begins with `rule`. */
 status read_rule(scheme_reader *r)
 {
     scheme_step *step = &r->z->steps[0];
     rule *grown;
-    status s;
     if (step->rule_count == SCHEME_MAX_RULES)
         return reader_complain(r, "a scheme may have %s rules at most", "16");
     grown = realloc(step->rules, (size_t)(step->rule_count + 1) * sizeof *grown);
@@ -164,8 +162,5 @@ status read_rule(scheme_reader *r)
         return STATUS_NO_MEMORY;
     step->rules = grown;
     memset(&step->rules[step->rule_count], 0, sizeof *grown);
-    s = read_rule_body(&step->rules[step->rule_count++], r);
-    if (s == STATUS_OK && !is_mirror_symmetric(&step->rules[step->rule_count - 1], r->z->mesh))
-        r->z->mirror_symmetric = false;
-    return s;
+    return read_rule_body(&step->rules[step->rule_count++], r);
 }

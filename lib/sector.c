@@ -78,31 +78,25 @@ static void set_matrices(twist *t, const number *c, const number *n, const numbe
 }
 
 /* In the real form v = 2u, c = cos w = v u - 1, n = 2 sin^2(w/2) u = v (1 - u u). */
-bool twist_set_real(twist *t, long m, long k, long prec)
+bool twist_set_u(twist *t, const number *u, long prec)
 {
     bool ok;
-    rational angle;
     number one, v, c, n;
-    rational_init(&angle);
     number_init(&one);
     number_init(&v);
     number_init(&c);
     number_init(&n);
     number_one(&one);
-    ok = rational_set_si(&angle, m, k);
-    if (ok) {
-        number_cos_pi(&t->u, &angle, prec);
-        number_add(&v, &t->u, &t->u, prec);
-        number_mul(&c, &v, &t->u, prec);
-        number_sub(&c, &c, &one, prec);
-        number_mul(&n, &t->u, &t->u, prec);
-        number_sub(&n, &one, &n, prec);
-        number_mul(&n, &v, &n, prec);
-        set_matrices(t, &c, &n, &v);
-        t->complex_form = false;
-        ok = !number_lacks_memory(&n);
-    }
-    rational_clear(&angle);
+    number_set(&t->u, u);
+    number_add(&v, &t->u, &t->u, prec);
+    number_mul(&c, &v, &t->u, prec);
+    number_sub(&c, &c, &one, prec);
+    number_mul(&n, &t->u, &t->u, prec);
+    number_sub(&n, &one, &n, prec);
+    number_mul(&n, &v, &n, prec);
+    set_matrices(t, &c, &n, &v);
+    t->complex_form = false;
+    ok = !number_lacks_memory(&n);
     number_clear(&one);
     number_clear(&v);
     number_clear(&c);
@@ -110,25 +104,60 @@ bool twist_set_real(twist *t, long m, long k, long prec)
     return ok;
 }
 
-bool twist_set_complex(twist *t, long m, long k, long prec)
+typedef void function_of_angle(number *z, const rational *r, long prec);
+
+/* z contains f(pi turns m / k) for the first and the last m, and all numbers between. */
+static bool hull_of_ends(number *z, function_of_angle *f, int turns, frequencies m, long k, long prec)
 {
     bool ok;
     rational angle;
-    number c, s;
+    number other;
     rational_init(&angle);
-    number_init(&c);
-    number_init(&s);
-    ok = rational_set_si(&angle, m, k) && rational_mul_2exp(&angle, &angle, 1);
-    if (ok) {
-        number_cos_pi(&c, &angle, prec);
-        number_sin_pi(&s, &angle, prec);
-        set_matrices(t, &c, &s, &s);
-        t->complex_form = true;
-        ok = !number_lacks_memory(&c) && !number_lacks_memory(&s);
+    number_init(&other);
+    ok = rational_set_si(&angle, m.first, k) && rational_mul_2exp(&angle, &angle, turns - 1);
+    if (ok)
+        f(z, &angle, prec);
+    if (ok && m.first != m.last) {
+        ok = rational_set_si(&angle, m.last, k) && rational_mul_2exp(&angle, &angle, turns - 1);
+        f(&other, &angle, prec);
+        number_hull(z, z, &other, prec);
     }
     rational_clear(&angle);
+    number_clear(&other);
+    return ok && !number_lacks_memory(z);
+}
+
+/* The cosine falls on [0, pi/2]. */
+bool twist_set_real_range(twist *t, frequencies m, long k, long prec)
+{
+    bool ok;
+    number u;
+    number_init(&u);
+    ok = hull_of_ends(&u, number_cos_pi, 1, m, k, prec) && twist_set_u(t, &u, prec);
+    number_clear(&u);
+    return ok;
+}
+
+/* The cosine falls on [0, pi]; the sine is 1 at w = pi/2. */
+bool twist_set_complex_range(twist *t, frequencies m, long k, long prec)
+{
+    bool ok;
+    number c, s, one;
+    number_init(&c);
+    number_init(&s);
+    number_init(&one);
+    number_one(&one);
+    ok = hull_of_ends(&c, number_cos_pi, 2, m, k, prec) && hull_of_ends(&s, number_sin_pi, 2, m, k, prec);
+    if (ok) {
+        if (m.first < k - 3 * m.first && m.last > k - 3 * m.last) /* 4 first < k < 4 last */
+            number_hull(&s, &s, &one, prec);
+        set_matrices(t, &c, &s, &s);
+        t->complex_form = true;
+        ok = !number_lacks_memory(&s);
+    }
     number_clear(&c);
     number_clear(&s);
+    number_clear(&one);
     return ok;
 }
 

@@ -8,6 +8,7 @@
 #define LIB_SECTOR_H
 
 #include "../bigfloat/number.h"
+#include "exact_range.h"
 #include "laurent.h"
 #include "mesh.h"
 
@@ -18,7 +19,10 @@
 #define twist_init NUMBER_NAME(twist_init)
 #define twist_clear NUMBER_NAME(twist_clear)
 #define twist_set_real NUMBER_NAME(twist_set_real)
+#define twist_set_real_range NUMBER_NAME(twist_set_real_range)
 #define twist_set_complex NUMBER_NAME(twist_set_complex)
+#define twist_set_complex_range NUMBER_NAME(twist_set_complex_range)
+#define twist_set_u NUMBER_NAME(twist_set_u)
 #define twist_apply NUMBER_NAME(twist_apply)
 #define mask_numbers_make NUMBER_NAME(mask_numbers_make)
 #define mask_numbers_free NUMBER_NAME(mask_numbers_free)
@@ -45,9 +49,14 @@ typedef struct {
 
 void twist_init(twist *t);
 void twist_clear(twist *t);
-/* w = 2 pi m / k.  false: no memory. */
-bool twist_set_real(twist *t, long m, long k, long prec);
-bool twist_set_complex(twist *t, long m, long k, long prec);
+/* w = 2 pi m / k for all m of the range, last <= k/2.  For one m the result is that of verify/certificate.md, section 5,
+   to the bit.  false: no memory. */
+bool twist_set_real_range(twist *t, frequencies m, long k, long prec);
+bool twist_set_complex_range(twist *t, frequencies m, long k, long prec);
+static inline bool twist_set_real(twist *t, long m, long k, long prec) { return twist_set_real_range(t, one_frequency(m), k, prec); }
+static inline bool twist_set_complex(twist *t, long m, long k, long prec) { return twist_set_complex_range(t, one_frequency(m), k, prec); }
+/* The real form for all u of an interval within [0, 1].  u = 1 is the limit w -> 0. */
+bool twist_set_u(twist *t, const number *u, long prec);
 /* (x, y) = t^turns (x, y). */
 void twist_apply(number *x, number *y, const twist *t, int turns, long prec);
 

@@ -1,7 +1,7 @@
 /* step.c: rules become matrices on pairs, then a net is mapped point by point. */
 #include "step.h"
 
-#include "formula_value.h"
+#include "formula_range.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -32,13 +32,14 @@ typedef struct {
     scheme_numbers *z;
     const twist *twist;
     formula_point at;
+    frequencies m;
     diagnostic *complaint;
     number one;
 } evaluation;
 
 static status value_of(number *x, const formula *f, evaluation *e)
 {
-    return NUMBER_NAME(formula_value)(x, f, &e->at, e->z->prec, e->complaint);
+    return NUMBER_NAME(formula_range)(x, f, &e->at, e->m, e->z->prec, e->complaint);
 }
 
 /* z = t^n. */
@@ -49,7 +50,58 @@ static void twist_power(pair_matrix *z, const evaluation *e, int n)
         pair_matrix_multiply(z, n > 0 ? &e->twist->forth : &e->twist->back, z, e->z->prec);
 }
 
-/* Sum over j of weight(j) t^j; total = the sum of the weights. */
+static void make_indeterminate(pair_matrix *z)
+{
+    number_indeterminate(&z->xx);
+    number_indeterminate(&z->xy);
+    number_indeterminate(&z->yx);
+    number_indeterminate(&z->yy);
+}
+
+#if defined(NUMBER_JET)
+/* As a function of u it is not needed. */
+static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
+{
+    (void)e;
+    (void)j;
+    make_indeterminate(z);
+    return true;
+}
+#else
+/* z = t^j for one frequency, from the angle: high powers of an enclosure of t would be no use.  In the real form, where
+   (x, y) is x + i h y with h = sin(w/2), multiplication by c + i s is (c, -h s; s/h, c). */
+static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
+{
+    long m = e->m.first, k = e->z->k;
+    rational angle;
+    number h;
+    bool ok;
+    if (!e->twist) {
+        set_scalar(z, &e->one);
+        return true;
+    }
+    rational_init(&angle);
+    number_init(&h);
+    ok = rational_set_si(&angle, m * j % k, k) && rational_mul_2exp(&angle, &angle, 1);
+    number_cos_pi(&z->xx, &angle, e->z->prec);
+    number_set(&z->yy, &z->xx);
+    number_sin_pi(&z->yx, &angle, e->z->prec);
+    number_neg(&z->xy, &z->yx);
+    if (ok && !e->twist->complex_form) {
+        ok = rational_set_si(&angle, m, k);
+        number_sin_pi(&h, &angle, e->z->prec);
+        number_mul(&z->xy, &h, &z->yx, e->z->prec);
+        number_neg(&z->xy, &z->xy);
+        number_div(&z->yx, &z->yx, &h, e->z->prec);
+    }
+    ok = ok && !number_lacks_memory(&z->yx);
+    rational_clear(&angle);
+    number_clear(&h);
+    return ok;
+}
+#endif
+
+/* Sum over j of weight(j) t^j; total = the sum of the weights.  For more than one frequency nothing is known. */
 static status sum_over_sectors(pair_matrix *z, number *total, const source *s, evaluation *e)
 {
     status result = STATUS_OK;
@@ -57,18 +109,38 @@ static status sum_over_sectors(pair_matrix *z, number *total, const source *s, e
     number weight;
     if (e->z->k > MAX_SECTORS)
         return diagnostic_set(e->complaint, s->weight->line, s->weight->column, "a weight for each sector is given up to valence %d only; use 'spectrum'", MAX_SECTORS);
+    if (e->m.first != e->m.last) {
+        make_indeterminate(z);
+        number_indeterminate(total);
+        return STATUS_OK;
+    }
     pair_matrix_init(&power);
     number_init(&weight);
-    set_scalar(&power, &e->one);
     for (e->at.j = 0; result == STATUS_OK && e->at.j < e->z->k; e->at.j++) {
         result = value_of(&weight, s->weight, e);
+        if (result == STATUS_OK && !twist_of_sector(&power, e, e->at.j))
+            result = STATUS_NO_MEMORY;
         add_matrix(z, &weight, &power, e->z->prec);
         number_add(total, total, &weight, e->z->prec);
-        if (e->twist)
-            pair_matrix_multiply(&power, &e->twist->forth, &power, e->z->prec);
     }
     pair_matrix_clear(&power);
     number_clear(&weight);
+    return result;
+}
+
+/* The imaginary part of a spectrum.  At m = k/2 real weights leave none. */
+static status value_of_imaginary(number *z, const source *s, evaluation *e)
+{
+    bool has_half = e->m.last == e->z->k - e->m.last;
+    status result = STATUS_OK;
+    number zero;
+    number_init(&zero);
+    number_zero(z);
+    if (!has_half || e->m.first != e->m.last)
+        result = value_of(z, s->imaginary, e);
+    if (has_half)
+        number_hull(z, z, &zero, e->z->prec);
+    number_clear(&zero);
     return result;
 }
 
@@ -78,15 +150,15 @@ static status value_of_spectrum(pair_matrix *z, number *total, const source *s, 
     status result;
     number imaginary;
     number_init(&imaginary);
-    e->at.m = 0;
+    e->m = one_frequency(0);
     result = value_of(total, s->weight, e);
-    e->at.m = e->z->m;
+    e->m = e->z->m;
     if (result == STATUS_OK)
         result = value_of(&z->xx, s->weight, e);
     if (result == STATUS_OK)
         set_scalar(z, &z->xx);
-    if (result == STATUS_OK && s->imaginary && e->twist && 2 * e->z->m != e->z->k) { /* there real weights leave none */
-        result = value_of(&imaginary, s->imaginary, e); /* such a scheme is not mirror-symmetric: complex form */
+    if (result == STATUS_OK && s->imaginary && e->twist) {
+        result = value_of_imaginary(&imaginary, s, e); /* such a scheme is not mirror-symmetric: complex form */
         number_neg(&z->xy, &imaginary);
         number_set(&z->yx, &imaginary);
     }
@@ -196,13 +268,14 @@ status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec
     return STATUS_OK;
 }
 
-status scheme_numbers_set_frequency(scheme_numbers *z, long m, const twist *t, diagnostic *d)
+status scheme_numbers_set_frequencies(scheme_numbers *z, frequencies m, const twist *t, diagnostic *d)
 {
     evaluation e;
     status result = STATUS_OK;
     e.z = z;
     e.twist = t;
-    e.at = (formula_point){z->k, m, 0};
+    e.at = (formula_point){z->k, m.first, 0};
+    e.m = m;
     e.complaint = d;
     number_init(&e.one);
     number_one(&e.one);

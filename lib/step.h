@@ -1,5 +1,5 @@
 /* step.h: the steps of a scheme applied to sector nets: masks, and rules near the extraordinary vertex, for one valence
-   and one frequency.  Compiled once per number system. */
+   and one frequency or a range of them.  Compiled once per number system. */
 #ifndef LIB_STEP_H
 #define LIB_STEP_H
 
@@ -8,6 +8,7 @@
 
 #define scheme_numbers_make NUMBER_NAME(scheme_numbers_make)
 #define scheme_numbers_set_frequency NUMBER_NAME(scheme_numbers_set_frequency)
+#define scheme_numbers_set_frequencies NUMBER_NAME(scheme_numbers_set_frequencies)
 #define scheme_numbers_free NUMBER_NAME(scheme_numbers_free)
 #define scheme_subdivide NUMBER_NAME(scheme_subdivide)
 
@@ -29,15 +30,21 @@ typedef struct {
 
 typedef struct {
     const scheme *scheme;
-    long k, m;
+    long k;
+    frequencies m;
     long prec;
     step_numbers steps[SCHEME_MAX_STEPS];
 } scheme_numbers;
 
 /* Everything that does not depend on the frequency.  On any status scheme_numbers_free. */
 status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec, diagnostic *d);
-/* The rules for frequency m, with the twist that the nets will have (NULL for m = 0). */
-status scheme_numbers_set_frequency(scheme_numbers *z, long m, const twist *t, diagnostic *d);
+/* The rules for all frequencies of the range at once, with the twist that the nets will have (NULL for m = 0, which is
+   a range of its own). */
+status scheme_numbers_set_frequencies(scheme_numbers *z, frequencies m, const twist *t, diagnostic *d);
+static inline status scheme_numbers_set_frequency(scheme_numbers *z, long m, const twist *t, diagnostic *d)
+{
+    return scheme_numbers_set_frequencies(z, one_frequency(m), t, d);
+}
 void scheme_numbers_free(scheme_numbers *z);
 
 typedef enum { SUBDIVIDE_OK, SUBDIVIDE_OPPOSITE, SUBDIVIDE_NO_CENTRE_RULE, SUBDIVIDE_NO_MEMORY } subdivide_status;

@@ -4,9 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_BYTES 65536
-#define MAX_LINE 1000
-
 void text_clear(source_text *t)
 {
     free(t->canonical);
@@ -25,8 +22,8 @@ static status add_line(source_text *t, const char *bytes, size_t length, long nu
 {
     size_t start = t->length;
     bool gap = false;
-    if (length > MAX_LINE)
-        return diagnostic_set(d, number, MAX_LINE + 1, "a line may have %d bytes at most", MAX_LINE);
+    if (length > TEXT_MAX_LINE)
+        return diagnostic_set(d, number, TEXT_MAX_LINE + 1, "a line may have %d bytes at most", TEXT_MAX_LINE);
     for (size_t i = 0; i < length; i++)
         if (!is_blank(bytes[i]) && (bytes[i] < 33 || bytes[i] > 126))
             return diagnostic_set(d, number, (long)i + 1, "byte %d is not allowed: a scheme is plain ASCII text", (unsigned char)bytes[i]);
@@ -59,8 +56,8 @@ status text_read(source_text *t, const char *bytes, size_t length, diagnostic *d
 {
     size_t at = 0;
     memset(t, 0, sizeof *t);
-    if (length > MAX_BYTES)
-        return diagnostic_set(d, 0, 0, "a scheme may have %d bytes at most", MAX_BYTES);
+    if (length > TEXT_MAX_BYTES)
+        return diagnostic_set(d, 0, 0, "a scheme may have %d bytes at most", TEXT_MAX_BYTES);
     /* a canonical line is no longer than the original with its line end, except the last one */
     t->canonical = malloc(length + 2);
     t->columns = malloc((length + 2) * sizeof *t->columns);

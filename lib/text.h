@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+enum { TEXT_MAX_BYTES = 65536, TEXT_MAX_LINE = 1000 };
+
 /* One line of the canonical text, and where each of its characters stood in the original file. */
 typedef struct {
     const char *text; /* `length` characters, ended by '\n' */

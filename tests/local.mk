@@ -35,6 +35,7 @@ LIB_TESTS = \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
+  tests/lib/t-bernstein \
   tests/lib/t-eigen_approx \
   tests/lib/t-schur_approx
 tests_lib_t_formula_LDADD = $(LINK_LIB)
@@ -43,6 +44,7 @@ tests_lib_t_regular_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
+tests_lib_t_bernstein_LDADD = $(LINK_LIB)
 tests_lib_t_eigen_approx_LDADD = $(LINK_LIB)
 tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 
@@ -50,11 +52,13 @@ VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
   tests/verify/t-valences \
+  tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 
@@ -71,15 +75,22 @@ tests_check_t_check_spectrum_LDADD =
 GENERIC_TESTS = \
   tests/lib/t-formula_value \
   tests/lib/t-block \
+  tests/lib/t-frequencies \
   tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \
+  tests/lib/t-cover \
+  tests/lib/t-monotone \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
-  tests/lib/t-charnet
+  tests/lib/t-complex_eigenpair \
+  tests/lib/t-charnet \
+  tests/lib/t-charnet_schemes \
+  tests/lib/t-ring
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
+  tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
@@ -87,7 +98,8 @@ SCRIPT_TESTS = \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cli.sh \
-  tests/verify/regular.sh
+  tests/verify/regular.sh \
+  tests/verify/spectrum.sh
 
 # Files that tests read.
 EXTRA_DIST += \

@@ -17,6 +17,7 @@ typedef struct {
     long prec;
     windows level[TREE_MAX_DEPTH + 1]; /* level 0 borrowed, the others made when first needed */
     adaptive_box box[ADAPTIVE_MAX_NETS];
+    number stability[ADAPTIVE_MAX_NETS], spread;
 } run;
 
 static bool make_level(run *r, int level)
@@ -55,13 +56,17 @@ outcome adaptive_sign(double *margin, const number *x)
     return number_is_negative(x) == TRUTH_TRUE ? OUTCOME_FALSE : OUTCOME_UNDEFINED;
 }
 
-/* box = the hull of the values, widened by the radius. */
-static void hull(number *box, const number *value, int count, const number *radius, long prec)
+/* box = middle of the values +- K (how far they are from it + radius). */
+static void make_box(number *box, run *r, int net, const number *value, int count, const number *radius)
 {
     number_set(box, &value[0]);
     for (int i = 1; i < count; i++)
-        number_hull(box, box, &value[i], prec);
-    number_add_error(box, box, radius, prec);
+        number_hull(box, box, &value[i], r->prec);
+    number_radius_upper(&r->spread, box, r->prec);
+    number_add(&r->spread, &r->spread, radius, r->prec);
+    number_mul(&r->spread, &r->spread, &r->stability[net], r->prec);
+    number_midpoint(box, box, r->prec);
+    number_add_error(box, box, &r->spread, r->prec);
 }
 
 static outcome decide(run *r, element_type type, int level, double *margin)
@@ -69,8 +74,8 @@ static outcome decide(run *r, element_type type, int level, double *margin)
     const adaptive_task *task = r->task;
     for (int i = 0; i < task->nets; i++) {
         const charnet_windows *w = task->windows[i];
-        hull(&r->box[i].x, r->level[level].x[i], w->window[type], &w->radius[0], r->prec);
-        hull(&r->box[i].y, r->level[level].y[i], w->window[type], &w->radius[1], r->prec);
+        make_box(&r->box[i].x, r, i, r->level[level].x[i], w->window[type], &w->radius[0]);
+        make_box(&r->box[i].y, r, i, r->level[level].y[i], w->window[type], &w->radius[1]);
     }
     return task->decide(margin, r->box, task->data, r->prec);
 }
@@ -145,6 +150,8 @@ static outcome examine(run *r, element_type type, int level)
 {
     r->report->examined++;
     r->report->level = level > r->report->level ? level : r->report->level;
+    if (r->report->examined % 64 == 0 && deadline_passed(r->task->deadline))
+        return OUTCOME_STOPPED;
     return r->task->replay ? follow(r, type, level) : search(r, type, level);
 }
 
@@ -162,9 +169,13 @@ outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_ta
     word->at = 0;
     if (!task->replay)
         tree_reset(word);
+    number_init(&r->spread);
     for (int i = 0; i < task->nets; i++) {
         number_init(&r->box[i].x);
         number_init(&r->box[i].y);
+        number_init(&r->stability[i]);
+        number_set_si(&r->stability[i], task->stability[i], prec);
+        number_mul_2exp(&r->stability[i], &r->stability[i], -10, prec);
     }
     for (int e = 0; o == OUTCOME_TRUE && e < task->count; e++) {
         for (int i = 0; i < task->nets; i++) {
@@ -178,7 +189,9 @@ outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_ta
     for (int i = 0; i < task->nets; i++) {
         number_clear(&r->box[i].x);
         number_clear(&r->box[i].y);
+        number_clear(&r->stability[i]);
     }
+    number_clear(&r->spread);
     free_levels(r);
     free(r);
     return o;

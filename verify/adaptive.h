@@ -1,13 +1,14 @@
 /* adaptive.h: local enclosures of a limit map, refined only where a decision is still missing (verify/certificate.md,
    sections 7 and 8).  Compiled once per number system.
 
-   On an element every limit value is a convex combination of the thin values in the element's window, up to the
-   nets' radius: so the hull of those values, widened by the radius, is a box that contains it.  If the boxes of
-   an element do not decide, its children's windows are computed and tried. */
+   On an element a limit value differs from the middle of the thin values in the element's window by at most K times
+   their distance from it, and by K times the nets' radius (K: lib/stability.h): that is the element's box.  If the
+   boxes do not decide, the children's windows are computed and tried. */
 #ifndef VERIFY_ADAPTIVE_H
 #define VERIFY_ADAPTIVE_H
 
 #include "../lib/charnet.h"
+#include "deadline.h"
 #include "outcome.h"
 #include "tree.h"
 
@@ -37,10 +38,12 @@ typedef struct {
     int which[ADAPTIVE_MAX_NETS];            /* RING_VALUES, ... */
     const charnet_windows *windows[ADAPTIVE_MAX_NETS];
     const mask_numbers *mask[ADAPTIVE_MAX_NETS];
+    int64_t stability[ADAPTIVE_MAX_NETS];    /* K of each net, in units of 1/1024 */
     adaptive_decision decide;
     const void *data;
     bool replay;      /* follow the word instead of writing it */
     int max_level;    /* of subdivision */
+    const deadline *deadline;
 } adaptive_task;
 
 /* What a run looked like. */
@@ -51,7 +54,8 @@ typedef struct {
 } adaptive_report;
 
 /* OUTCOME_TRUE: the property is proved on all elements, by the trees in `word` (written, or followed to its end).
-   OUTCOME_FALSE: the opposite holds on some element; in a replay also: the word does not prove it. */
+   OUTCOME_FALSE: the opposite holds on some element; in a replay also: the word does not prove it.
+   OUTCOME_STOPPED: there was no time. */
 outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec);
 
 #endif

@@ -1,7 +1,10 @@
 /* analysis.c: the tests one after the other.  Compiled once per number system. */
 #include "tests.h"
 
+#include "../lib/eigenpair.h"
+
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,18 +12,21 @@
 #define MOST_DIGITS 40
 
 #define run_analysis NUMBER_NAME(run_analysis)
-outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int max_level, long prec);
+outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, long prec);
+
+/* ---- what several tests need ---- */
 
 /* The frequency was last set to that of the last block: it has to be 1 again. */
-outcome test_characteristic_net(analysis *a)
+outcome analysis_make_net(analysis *a)
 {
-    const problem *p = a->problem;
     diagnostic d;
-    a->findings->test = "characteristic net";
+    if (a->net_made)
+        return OUTCOME_TRUE;
     if (scheme_numbers_set_frequency(&a->numbers, 1, &a->dominant.twist, &d) != STATUS_OK)
         return OUTCOME_NO_MEMORY;
-    switch (charnet_make(&a->net, &a->dominant, a->box, &a->numbers, p->geometry.rings)) {
+    switch (charnet_make(&a->net, &a->dominant, a->box, &a->numbers, a->plan->problem->geometry.rings)) {
     case BLOCK_OK:
+        a->net_made = true;
         return OUTCOME_TRUE;
     case BLOCK_NO_MEMORY:
         return OUTCOME_NO_MEMORY;
@@ -29,61 +35,209 @@ outcome test_characteristic_net(analysis *a)
     }
 }
 
-/* What the scheme's formulas are worth at this valence. */
+static outcome from_block(block_status s)
+{
+    return s == BLOCK_OK ? OUTCOME_TRUE : s == BLOCK_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
+}
+
+outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count)
+{
+    const problem *p = a->plan->problem;
+    charnet_windows windows[ADAPTIVE_MAX_NETS];
+    adaptive_report report = {0, 0, NAN};
+    attempt *log = findings_last(a->findings);
+    outcome o = analysis_make_net(a);
+    int made = 0;
+    task->geometry = &p->geometry;
+    task->elements = elements;
+    task->count = count;
+    task->replay = a->replay;
+    task->max_level = a->plan->max_level;
+    task->deadline = a->plan->deadline;
+    for (; o == OUTCOME_TRUE && made < task->nets; made++) {
+        int which = task->which[made];
+        o = from_block(charnet_windows_make(&windows[made], &a->net, &p->geometry, which, elements, count, a->prec));
+        task->windows[made] = &windows[made];
+        task->mask[made] = &a->mask[which];
+        task->stability[made] = a->choices->stability[which].bound;
+    }
+    if (o == OUTCOME_TRUE)
+        o = adaptive_run(&report, word, task, a->prec);
+    for (int i = 0; i < made; i++)
+        charnet_windows_free(&windows[i]);
+    log->max_level = a->plan->max_level;
+    log->level = report.level;
+    log->elements = report.examined;
+    log->bound = report.margin;
+    if (o == OUTCOME_STOPPED)
+        findings_explain(a->findings, o, "no time left");
+    return o;
+}
+
+/* ---- the regular part ---- */
+
+/* It is exact: problem.c has tested it for all valences. */
+static outcome test_regular_complex(analysis *a)
+{
+    const problem *p = a->plan->problem;
+    choices *c = a->choices;
+    diagnostic d;
+    bool plainly = false;
+    status s;
+    if (p->obstacle)
+        return findings_explain(a->findings, OUTCOME_UNDEFINED, "%s", p->obstacle);
+    s = problem_is_plainly_regular(&plainly, p, c->valence, &d);
+    if (s != STATUS_OK)
+        return s == STATUS_NO_MEMORY ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
+    if (!plainly && p->special_obstacle)
+        return findings_explain(a->findings, OUTCOME_UNDEFINED, "%s", p->special_obstacle);
+    if (!a->replay) {
+        memcpy(c->contraction, p->contraction, sizeof c->contraction);
+        memcpy(c->stability, p->stability, sizeof c->stability);
+        c->plainly_regular = plainly;
+        return OUTCOME_TRUE;
+    }
+    if (memcmp(c->contraction, p->contraction, sizeof c->contraction) || c->plainly_regular != plainly)
+        return findings_explain(a->findings, OUTCOME_FALSE, "the powers of the regular part are not the least ones");
+    for (int i = 0; !plainly && i < RING_NETS; i++)
+        if (c->stability[i].power != p->stability[i].power || c->stability[i].bound != p->stability[i].bound)
+            return findings_explain(a->findings, OUTCOME_FALSE, "the bounds of the limits are not those that were found");
+    return OUTCOME_TRUE;
+}
+
+/* What the scheme's formulas and masks are worth at this valence. */
 static outcome evaluate_scheme(analysis *a)
 {
+    const problem *p = a->plan->problem;
     diagnostic d;
-    switch (scheme_numbers_make(&a->numbers, a->problem->scheme, a->choices->valence, a->prec, &d)) {
+    for (int i = 0; i < RING_NETS; i++)
+        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec))
+            return OUTCOME_NO_MEMORY;
+    switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
     case STATUS_OK:
         return OUTCOME_TRUE;
     case STATUS_BAD_INPUT:
-        a->findings->test = "scheme";
         return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
     default:
         return OUTCOME_NO_MEMORY;
     }
 }
 
-static outcome run_tests(analysis *a)
+/* ---- one after the other ---- */
+
+typedef struct {
+    test_name name;
+    const char *words;
+    outcome (*run)(analysis *);
+} analysis_test;
+
+/* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
+static bool is_still_true(const analysis *a, test_name name)
 {
-    static outcome (*const tests[])(analysis *) = {test_spectrum, test_characteristic_net, test_regularity, test_injectivity};
-    outcome o = OUTCOME_TRUE;
-    for (int i = 0; i < 3; i++) /* the regular part is exact: problem.c has tested it for all valences */
-        if (!a->replay)
-            a->choices->contraction[i] = a->problem->contraction[i];
-        else if (a->choices->contraction[i] != a->problem->contraction[i])
-            return findings_explain(a->findings, OUTCOME_FALSE, "the powers of the regular part are not the least ones");
-    for (int i = 0; i < RING_NETS; i++)
-        if (!mask_numbers_make(&a->mask[i], a->problem->geometry.mask[i], a->prec))
-            return OUTCOME_NO_MEMORY;
-    o = evaluate_scheme(a);
-    for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++)
-        o = tests[i](a);
+    return a->plan->found[name] && (name != TEST_SPECTRUM || number_upper_bound(&a->scale) <= a->plan->scale_upper);
+}
+
+static outcome run_test(analysis *a, const analysis_test *t)
+{
+    double start = deadline_now();
+    attempt *log = findings_begin(a->findings, t->words, t->name == TEST_REGULAR_COMPLEX && !a->replay ? "exact" : a->plan->system,
+                                  t->name == TEST_REGULAR_COMPLEX && !a->replay ? 0 : a->prec);
+    outcome o = t->run(a);
+    log->outcome = o;
+    log->seconds = deadline_now() - start;
+    if (o == OUTCOME_UNDEFINED && a->plan->uniform && !a->replay && a->plan->found[TEST_UNIFORM])
+        findings_explain(a->findings, o, "adaptive subdivision needs more than the %d levels that are enough for the uniform method", a->plan->max_level);
+    if (o == OUTCOME_TRUE && !a->replay) {
+        a->plan->found[t->name] = true;
+        a->findings->elements += log->elements;
+        a->findings->level = log->level > a->findings->level ? log->level : a->findings->level;
+    }
     return o;
 }
 
-outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int max_level, long prec)
+/* It writes its own attempts, and limits the search for trees that follows. */
+static outcome run_uniform(analysis *a)
+{
+    outcome o = OUTCOME_TRUE;
+    if (!a->plan->uniform || a->replay)
+        return o;
+    if (!a->plan->found[TEST_UNIFORM]) {
+        o = analysis_uniform(a);
+        findings_last(a->findings)->outcome = o;
+    }
+    if (o == OUTCOME_TRUE) {
+        a->plan->found[TEST_UNIFORM] = true;
+        a->plan->max_level = a->findings->uniform_level;
+    }
+    return o;
+}
+
+static outcome run_tests(analysis *a)
+{
+    static const analysis_test tests[] = {
+        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair},
+        {TEST_SPECTRUM, "spectrum", test_spectrum}, {TEST_REGULARITY, "regularity", test_regularity},
+        {TEST_INJECTIVITY, "injectivity", test_injectivity},
+    };
+    outcome o = OUTCOME_TRUE;
+    for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
+        if (tests[i].name == TEST_EIGENPAIR) {
+            if (a->choices->plainly_regular)
+                break;
+            o = evaluate_scheme(a);
+        }
+        if (tests[i].name == TEST_REGULARITY)
+            o = run_uniform(a);
+        if (o == OUTCOME_TRUE && (a->replay || tests[i].name == TEST_EIGENPAIR || !is_still_true(a, tests[i].name)))
+            o = run_test(a, &tests[i]);
+    }
+    return o;
+}
+
+/* L as text. */
+static bool describe(analysis *a)
+{
+    findings *f = a->findings;
+    int digits = a->prec < 128 ? 16 : MOST_DIGITS;
+    char *re, *im;
+    if (a->choices->plainly_regular || a->replay)
+        return true;
+    free(f->eigenvalue);
+    re = number_get_decimal(&a->box[a->order], digits);
+    f->eigenvalue = re;
+    if (!a->choices->eigenpair.complex_form || !re)
+        return re != NULL;
+    im = number_get_decimal(&a->box[a->order + 1], digits);
+    f->eigenvalue = im ? malloc(strlen(re) + strlen(im) + 16) : NULL;
+    if (f->eigenvalue)
+        sprintf(f->eigenvalue, "(%s) + i (%s)", re, im);
+    free(re);
+    free(im);
+    return f->eigenvalue != NULL;
+}
+
+outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, long prec)
 {
     analysis a;
     outcome o;
     memset(&a, 0, sizeof a);
-    a.problem = p;
+    a.plan = p;
     a.choices = c;
     a.findings = f;
     a.replay = replay;
-    a.max_level = max_level;
     a.prec = prec;
+    number_init(&a.scale);
     o = run_tests(&a);
-    if (o == OUTCOME_TRUE) {
-        f->eigenvalue = number_get_decimal(&a.box[a.dominant.n], prec < 128 ? 16 : MOST_DIGITS);
-        if (!f->eigenvalue)
-            o = OUTCOME_NO_MEMORY;
-    }
+    if (o == OUTCOME_TRUE && !describe(&a))
+        o = OUTCOME_NO_MEMORY;
     for (int i = 0; i < RING_NETS; i++)
         if (a.mask[i].mask)
             mask_numbers_free(&a.mask[i]);
     if (a.box)
-        number_array_free(a.box, (size_t)a.dominant.n + 1);
+        number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
+    if (a.matrix)
+        number_array_free(a.matrix, (size_t)a.order * (size_t)a.order);
+    number_clear(&a.scale);
     sector_net_free(&a.net);
     scheme_numbers_free(&a.numbers);
     block_free(&a.dominant);
@@ -91,20 +245,20 @@ outcome run_analysis(findings *f, choices *c, const problem *p, bool replay, int
 }
 
 /* The rounding mode is set round calls that contain no arithmetic of their own (bigfloat/number.h). */
-static outcome in_region(findings *f, choices *c, const problem *p, bool replay, int max_level, long prec)
+static outcome in_region(findings *f, choices *c, analysis_plan *p, bool replay, long prec)
 {
     number_mode mode = number_enter();
-    outcome o = run_analysis(f, c, p, replay, max_level, prec);
+    outcome o = run_analysis(f, c, p, replay, prec);
     number_leave(mode);
     return o;
 }
 
-outcome NUMBER_NAME(analysis_search)(findings *f, choices *c, const problem *p, int max_level, long prec)
+outcome NUMBER_NAME(analysis_search)(findings *f, choices *c, analysis_plan *p, long prec)
 {
-    return in_region(f, c, p, false, max_level, prec);
+    return in_region(f, c, p, false, prec);
 }
 
-outcome NUMBER_NAME(analysis_replay)(findings *f, choices *c, const problem *p, long prec)
+outcome NUMBER_NAME(analysis_replay)(findings *f, choices *c, analysis_plan *p, long prec)
 {
-    return in_region(f, c, p, true, TREE_MAX_DEPTH, prec);
+    return in_region(f, c, p, true, prec);
 }

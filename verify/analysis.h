@@ -6,39 +6,32 @@
 #define VERIFY_ANALYSIS_H
 
 #include "choices.h"
+#include "deadline.h"
+#include "findings.h"
 #include "outcome.h"
 #include "problem.h"
+#include "uniform_bounds.h"
 
-/* What is told about a run: proved figures, or why there is none. */
+/* Which tests have succeeded: the choices that they need are there. */
+typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TESTS } test_name;
+
 typedef struct {
-    double eigenvalue_lower, eigenvalue_upper; /* L lies between */
-    char *eigenvalue;                          /* the same as text, up to 40 digits */
-    double runner_up;                          /* every other eigenvalue but 1 is smaller in modulus */
-    long runner_up_block;                      /* where the largest of them seems to be */
-    double jacobian;                           /* a lower bound of the Jacobian on the ring, in coordinates (x, y) */
-    int level;                                 /* of subdivision */
-    long elements;                             /* examined */
-    const char *test;                          /* the last test that was run */
-    char reason[256];                          /* why its outcome is not true */
-} findings;
+    const problem *problem;
+    bool found[TESTS];      /* a search leaves out what is found, as long as what it rests on is no worse than then */
+    double scale_upper;     /* the spectrum was found for 1/scale <= |L| with a scale that was at most this */
+    int max_level;
+    const uniform_bounds *uniform; /* not NULL: a search uses the uniform method, and then looks for trees that are no deeper */
+    const deadline *deadline;
+    const char *system;     /* for the log */
+} analysis_plan;
 
-void findings_init(findings *z);
-void findings_clear(findings *z);
+/* c->valence and c->grid are given; a search fills in the rest. */
+outcome analysis_search_interval(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_search_ball(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_search_grid(findings *f, choices *c, analysis_plan *p, long prec);
 
-/* Sets the reason and returns o. */
-outcome findings_explain(findings *f, outcome o, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
-
-
-outcome analysis_search_interval(findings *f, choices *c, const problem *p, int max_level, long prec);
-outcome analysis_search_ball(findings *f, choices *c, const problem *p, int max_level, long prec);
-outcome analysis_search_grid(findings *f, choices *c, const problem *p, int max_level, long prec);
-
-outcome analysis_replay_interval(findings *f, choices *c, const problem *p, long prec);
-outcome analysis_replay_ball(findings *f, choices *c, const problem *p, long prec);
-outcome analysis_replay_grid(findings *f, choices *c, const problem *p, long prec);
+outcome analysis_replay_interval(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_replay_ball(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_replay_grid(findings *f, choices *c, analysis_plan *p, long prec);
 
 #endif

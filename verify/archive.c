@@ -1,10 +1,11 @@
 /* archive.c: write, fsync, rename, fsync of the directory. */
 #define _POSIX_C_SOURCE 200809L
-#include "archive.h"
+#include "archive_internal.h"
+
+#include "prove_output.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +14,7 @@
 
 #define SCHEME_FILE "scheme.scheme"
 #define MAX_SCHEME_BYTES 65536
+#define MAX_CERTIFICATE_BYTES (64 << 20)
 
 void archive_init(archive *z)
 {
@@ -59,14 +61,13 @@ static bool sync_directory(const char *path)
     return ok;
 }
 
-/* Makes `name` hold the bytes, or leaves it as it was. */
-static bool store(const archive *z, const char *name, const char *bytes, size_t length)
+bool archive_store(const archive *z, const char *name, const char *bytes, size_t length)
 {
-    char unfinished[64];
+    char unfinished[128];
     char *path = path_of(z, name), *temporary;
     bool ok = false;
     int fd, saved;
-    snprintf(unfinished, sizeof unfinished, "unfinished-%ld.tmp", (long)getpid());
+    snprintf(unfinished, sizeof unfinished, "unfinished-%ld-%s.tmp", (long)getpid(), name);
     temporary = path_of(z, unfinished);
     if (path && temporary && (fd = open(temporary, O_WRONLY | O_CREAT | O_TRUNC, 0666)) >= 0) {
         ok = write_all(fd, bytes, length) && fsync(fd) == 0;
@@ -105,34 +106,14 @@ archive_status archive_open(archive *z, const char *path, const scheme *s)
         return ARCHIVE_IO_ERROR;
     buffer_init(&present);
     if (buffer_read_file(&present, file, MAX_SCHEME_BYTES)) {
-        bool same = present.length == s->source.length && !memcmp(present.bytes ? present.bytes : "", s->source.canonical, present.length);
+        bool same = present.length == s->text_length && !memcmp(present.bytes ? present.bytes : "", s->text, present.length);
         result = same ? ARCHIVE_OK : ARCHIVE_OTHER_SCHEME;
     } else if (errno == ENOENT) {
-        result = store(z, SCHEME_FILE, s->source.canonical, s->source.length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+        result = archive_store(z, SCHEME_FILE, s->text, s->text_length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
     }
     buffer_clear(&present);
     free(file);
     return result;
-}
-
-/* Numbers that JSON does not have become null. */
-static void print_number(buffer *b, const char *name, double value)
-{
-    if (isfinite(value))
-        buffer_print(b, ",\"%s\":%.17g", name, value);
-    else
-        buffer_print(b, ",\"%s\":null", name);
-}
-
-static void write_log(buffer *b, const decision *d)
-{
-    for (int i = 0; i < d->attempt_count; i++) {
-        const attempt *a = &d->attempts[i];
-        buffer_print(b, "{\"valence\":%ld,\"system\":\"%s\",\"precision\":%ld,\"max_level\":%d,\"outcome\":\"%s\",\"test\":\"%s\",\"level\":%d,\"elements\":%ld",
-                     d->valence, a->system, a->precision, a->max_level, outcome_name(a->outcome), a->test, a->level, a->elements);
-        print_number(b, "jacobian", a->jacobian);
-        buffer_print(b, ",\"reason\":\"%s\"}\n", a->reason); /* our own sentences: nothing to escape */
-    }
 }
 
 static bool is_proved(const archive *z, long valence)
@@ -147,25 +128,43 @@ static bool is_proved(const archive *z, long valence)
     return present;
 }
 
+void archive_read(const archive *z, buffer *certificate, long valence)
+{
+    char name[64];
+    char *path;
+    if (!z->path)
+        return;
+    snprintf(name, sizeof name, "valence-%ld.cert", valence);
+    path = path_of(z, name);
+    if (path && !buffer_read_file(certificate, path, MAX_CERTIFICATE_BYTES))
+        buffer_clear(certificate);
+    free(path);
+}
+
 archive_status archive_keep(archive *z, char **certificate, const decision *d)
 {
     char name[64];
     buffer text;
     bool ok;
     *certificate = NULL;
+    if (z->path && d->kept_before) {
+        snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
+        *certificate = path_of(z, name);
+        return *certificate ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+    }
     if (!z->path || (d->verdict == VERDICT_UNDECIDED && is_proved(z, d->valence)))
         return ARCHIVE_OK; /* what was proved once stays, and the log that belongs to it */
     buffer_init(&text);
-    write_log(&text, d);
+    prove_write_log(&text, d);
     snprintf(name, sizeof name, "valence-%ld.log", d->valence);
     if (text.failed)
         errno = ENOMEM;
-    ok = !text.failed && store(z, name, text.bytes, text.length);
+    ok = !text.failed && archive_store(z, name, text.bytes, text.length);
     buffer_clear(&text);
     snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
     if (ok && d->verdict == VERDICT_PROVED) {
         *certificate = path_of(z, name);
-        ok = *certificate && store(z, name, d->certificate.bytes, d->certificate.length);
+        ok = *certificate && archive_store(z, name, d->certificate.bytes, d->certificate.length);
     }
     return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
 }

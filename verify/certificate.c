@@ -3,6 +3,7 @@
 
 #include "sha256.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,23 +24,42 @@ static void write_long_hexadecimal(buffer *z, long v)
     buffer_print(z, v < 0 ? " -%lx" : " %lx", v < 0 ? 0UL - (unsigned long)v : (unsigned long)v);
 }
 
-static void write_choices(buffer *z, const choices *c)
+static void write_trees(buffer *z, const choices *c)
 {
-    const eigenpair_choice *e = &c->eigenpair;
-    buffer_print(z, "claim c1\nvalence %ld\ngrid %ld\n", c->valence, c->grid);
-    buffer_print(z, "contraction %d %d %d\npivot %d\n", c->contraction[0], c->contraction[1], c->contraction[2], e->pivot + 1);
-    write_integers(z, "eigenvalue", &e->approximation[e->n - 1], 1);
-    write_integers(z, "eigenvector", e->approximation, e->n - 1);
-    write_integers(z, "radius", &e->radius, 1);
-    for (int i = 0; i < e->n; i++)
-        write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
-    buffer_print(z, "power");
-    for (long m = 0; m <= c->valence / 2; m++)
-        buffer_print(z, " %d", c->power[m]);
-    buffer_print(z, "\nhalfplane");
+    buffer_print(z, "halfplane");
     write_long_hexadecimal(z, c->normal[0]);
     write_long_hexadecimal(z, c->normal[1]);
     buffer_print(z, "\nregularity %s\nboundary %s\n", c->regularity.letter ? c->regularity.letter : "", c->boundary.letter ? c->boundary.letter : "");
+}
+
+static void write_eigenpair(buffer *z, const choices *c)
+{
+    const eigenpair_choice *e = &c->eigenpair;
+    int values = e->complex_form ? 2 : 1, others = e->n - values;
+    buffer_print(z, "form %s\npivot %d\n", e->complex_form ? "complex" : "real", e->pivot + 1);
+    write_integers(z, "eigenvalue", e->approximation + others, values);
+    write_integers(z, "eigenvector", e->approximation, others);
+    write_integers(z, "radius", &e->radius, 1);
+    for (int i = 0; i < e->n; i++)
+        write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
+    if (e->complex_form)
+        write_integers(z, "modulus", &c->modulus, 1);
+}
+
+static void write_choices(buffer *z, const choices *c)
+{
+    buffer_print(z, "claim c1\nvalence %ld\ngrid %ld\n", c->valence, c->grid);
+    buffer_print(z, "contraction %d %d %d\n", c->contraction[0], c->contraction[1], c->contraction[2]);
+    if (c->plainly_regular)
+        return;
+    buffer_print(z, "stability");
+    for (int i = 0; i < 3; i++)
+        buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
+    buffer_print(z, "\n");
+    write_eigenpair(z, c);
+    for (size_t i = 0; i < c->blocks.count; i++)
+        buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
+    write_trees(z, c);
 }
 
 static long count_lines(const char *bytes, size_t length)
@@ -54,8 +74,8 @@ void certificate_write(buffer *z, const scheme *s, const choices *c)
 {
     size_t start = z->length;
     char digest[65];
-    buffer_print(z, "smoothcert-certificate 0\nscheme %ld\n", count_lines(s->source.canonical, s->source.length));
-    buffer_append(z, s->source.canonical, s->source.length);
+    buffer_print(z, "smoothcert-certificate 1\nscheme %ld\n", count_lines(s->text, s->text_length));
+    buffer_append(z, s->text, s->text_length);
     write_choices(z, c);
     if (z->failed)
         return;
@@ -142,6 +162,14 @@ static void read_tree(reader *r, tree_word *z, const char *name)
     }
 }
 
+/* Is the next word this one?  Takes nothing. */
+static bool comes_next(const reader *r, const char *name)
+{
+    reader ahead = *r;
+    expect(&ahead, name);
+    return !ahead.failed;
+}
+
 /* The order of the block follows from the number of words of the line. */
 static int count_words(const reader *r)
 {
@@ -151,26 +179,40 @@ static int count_words(const reader *r)
     return count;
 }
 
-static void read_eigenpair(reader *r, eigenpair_choice *e, long grid)
+static bool read_form(reader *r)
 {
-    integer eigenvalue;
-    int n, pivot;
+    bool complex_form;
+    expect(r, "form");
+    complex_form = comes_next(r, "complex");
+    expect(r, complex_form ? "complex" : "real");
+    return complex_form;
+}
+
+static void read_eigenpair(reader *r, choices *c)
+{
+    eigenpair_choice *e = &c->eigenpair;
+    integer eigenvalue[2];
+    bool complex_form = read_form(r);
+    int values = complex_form ? 2 : 1, n, pivot;
     expect(r, "pivot");
-    pivot = (int)read_long(r, 10, 1, 512);
-    integer_init(&eigenvalue);
+    pivot = (int)read_long(r, 10, 1, CHOICES_MAX_ORDER);
+    integer_init(&eigenvalue[0]);
+    integer_init(&eigenvalue[1]);
     expect(r, "eigenvalue");
-    read_integer(r, &eigenvalue, 16);
-    n = count_words(r) + 1;
-    if (n < pivot || n > 512)
+    for (int i = 0; i < values; i++)
+        read_integer(r, &eigenvalue[i], 16);
+    n = count_words(r) + values;
+    if (n / values < pivot || n > CHOICES_MAX_ORDER || n % values)
         r->failed = true;
-    if (!r->failed && !eigenpair_choice_make(e, n, grid))
+    if (!r->failed && !eigenpair_choice_make(e, n, c->grid))
         r->no_memory = r->failed = true;
+    e->complex_form = complex_form;
     e->pivot = pivot - 1;
     expect(r, "eigenvector");
-    for (int i = 0; !r->failed && i < n - 1; i++)
+    for (int i = 0; !r->failed && i < n - values; i++)
         read_integer(r, &e->approximation[i], 16);
-    if (!r->failed)
-        integer_swap(&e->approximation[n - 1], &eigenvalue);
+    for (int i = 0; !r->failed && i < values; i++)
+        integer_swap(&e->approximation[n - values + i], &eigenvalue[i]);
     expect(r, "radius");
     read_integer(r, &e->radius, 16);
     if (integer_sign(&e->radius) <= 0)
@@ -180,36 +222,54 @@ static void read_eigenpair(reader *r, eigenpair_choice *e, long grid)
         for (int j = 0; !r->failed && j < n; j++)
             read_integer(r, &e->inverse[i * n + j], 16);
     }
-    integer_clear(&eigenvalue);
+    if (complex_form) {
+        expect(r, "modulus");
+        read_integer(r, &c->modulus, 16);
+    }
+    integer_clear(&eigenvalue[0]);
+    integer_clear(&eigenvalue[1]);
+}
+
+static void read_blocks(reader *r, choices *c)
+{
+    long total = 0;
+    while (!r->failed && comes_next(r, "block")) {
+        frequencies m;
+        int power;
+        expect(r, "block");
+        m.first = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
+        m.last = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
+        power = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
+        total += power;
+        if (c->blocks.count >= CHOICES_MAX_BLOCKS || total > CHOICES_MAX_TOTAL_POWER)
+            r->failed = true;
+        else if (!r->failed && !cover_list_add(&c->blocks, m, power))
+            r->no_memory = r->failed = true;
+    }
 }
 
 static void read_choices(reader *r, choices *c)
 {
-    long normal_limit = 1L << CHOICES_NORMAL_BITS, total = 0;
-    long valence, grid;
+    long normal_limit = 1L << CHOICES_NORMAL_BITS;
     expect(r, "claim");
     expect(r, "c1");
     expect(r, "valence");
-    valence = read_long(r, 10, CHOICES_MIN_VALENCE, CHOICES_MAX_VALENCE);
+    c->valence = read_long(r, 10, CHOICES_MIN_VALENCE, CHOICES_MAX_VALENCE);
     expect(r, "grid");
-    grid = read_long(r, 10, CHOICES_MIN_GRID, CHOICES_MAX_GRID);
-    if (r->failed)
-        return;
-    if (!choices_make(c, valence, grid)) {
-        r->no_memory = r->failed = true;
-        return;
-    }
+    c->grid = read_long(r, 10, CHOICES_MIN_GRID, CHOICES_MAX_GRID);
     expect(r, "contraction");
     for (int i = 0; i < 3; i++)
         c->contraction[i] = (int)read_long(r, 10, 1, 10);
-    read_eigenpair(r, &c->eigenpair, grid);
-    expect(r, "power");
-    for (long m = 0; m <= valence / 2; m++) {
-        c->power[m] = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
-        total += c->power[m];
+    c->plainly_regular = comes_next(r, "records");
+    if (r->failed || c->plainly_regular)
+        return;
+    expect(r, "stability");
+    for (int i = 0; i < 3; i++) {
+        c->stability[i].power = (int)read_long(r, 10, 0, 9);
+        c->stability[i].bound = read_long(r, 10, 1024, 1L << 40);
     }
-    if (total > CHOICES_MAX_TOTAL_POWER)
-        r->failed = true;
+    read_eigenpair(r, c);
+    read_blocks(r, c);
     expect(r, "halfplane");
     for (int i = 0; i < 2; i++)
         c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
@@ -235,11 +295,11 @@ bool certificate_read(choices *c, long *line, const scheme *s, const char *bytes
     buffer again;
     const char *word;
     expect(&r, "smoothcert-certificate");
-    expect(&r, "0");
+    expect(&r, "1");
     expect(&r, "scheme");
     next_word(&r, &word);
-    if ((size_t)(r.end - r.at) >= s->source.length)
-        r.at += s->source.length; /* compared below */
+    if ((size_t)(r.end - r.at) >= s->text_length)
+        r.at += s->text_length; /* compared below */
     read_choices(&r, c);
     *line = count_lines(bytes, (size_t)(r.at - bytes)) + 1;
     if (r.failed)

@@ -1,30 +1,25 @@
 /* choices.c: life of the choices. */
 #include "choices.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 void choices_init(choices *z)
 {
     memset(z, 0, sizeof *z);
+    z->claim = CLAIM_C1;
+    z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
+    integer_init(&z->modulus);
+    cover_list_init(&z->blocks);
     tree_init(&z->regularity);
     tree_init(&z->boundary);
-}
-
-bool choices_make(choices *z, long valence, long grid)
-{
-    choices_clear(z);
-    z->valence = valence;
-    z->grid = grid;
-    z->power = calloc((size_t)(valence / 2 + 1), sizeof *z->power);
-    return z->power != NULL;
 }
 
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
-    free(z->power);
+    integer_clear(&z->modulus);
+    cover_list_clear(&z->blocks);
     tree_clear(&z->regularity);
     tree_clear(&z->boundary);
     choices_init(z);

@@ -5,31 +5,57 @@
 #ifndef VERIFY_CHOICES_H
 #define VERIFY_CHOICES_H
 
+#include "../lib/cover_list.h"
 #include "../lib/eigenpair_choice.h"
 #include "tree.h"
 
-/* Limits of version 0. */
+#include <stdint.h>
+
+/* Limits of version 1. */
 #define CHOICES_MIN_VALENCE 3
-#define CHOICES_MAX_VALENCE 4096
+#define CHOICES_MAX_VALENCE 1000000000
 #define CHOICES_MIN_GRID 64
 #define CHOICES_MAX_GRID 8192
 #define CHOICES_NORMAL_BITS 32
+#define CHOICES_MAX_ORDER 1024
 #define CHOICES_MAX_POWER 10000
+#define CHOICES_MAX_BLOCKS 10000
 #define CHOICES_MAX_TOTAL_POWER 200000
 
+/* K <= bound / 1024, by the windows of the power's mask; power 0: no weight is negative (lib/stability.h). */
 typedef struct {
+    int power;
+    int64_t bound;
+} stability_choice;
+
+/* What a certificate proves: C1, or why not (verify/certificate.md, section 10). */
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD } claim_kind;
+
+/* A descendant of an element of the ring: one child after the other. */
+typedef struct {
+    int element;
+    int depth;
+    char path[TREE_MAX_DEPTH + 1]; /* digits */
+} witness_choice;
+
+typedef struct {
+    claim_kind claim;
+    long frequency;       /* of the eigenvalue: 1 for C1 and folds */
     long valence;
     long grid;            /* g: units of 2^-g */
-    int contraction[3];   /* N12 N13 N23 */
+    int contraction[3];   /* N_1 N_2 N_3 */
+    bool plainly_regular; /* nothing else is needed */
+    stability_choice stability[3]; /* of values and both differences */
     eigenpair_choice eigenpair;
-    int *power;           /* P_0 .. P_floor(valence/2) */
+    integer modulus;      /* ell < |L|, in the complex form */
+    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers */
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;
+    witness_choice witness[2]; /* of CLAIM_NOT_C0 the first, of CLAIM_FOLD both */
 } choices;
 
-void choices_init(choices *z);
-bool choices_make(choices *z, long valence, long grid); /* false: no memory */
+void choices_init(choices *z); /* of C1 */
 void choices_clear(choices *z);
 
 #endif

@@ -11,7 +11,8 @@ enum {
     EXIT_BAD_INPUT = 65,
     EXIT_FAULT = 70,
     EXIT_NO_MEMORY = 71,
-    EXIT_IO = 74
+    EXIT_IO = 74,
+    EXIT_INTERRUPTED = 130
 };
 
 int command_prove(int argc, char **argv);

@@ -3,14 +3,18 @@
 #include "command.h"
 
 #include "archive.h"
-#include "escalate.h"
 #include "command_scheme.h"
+#include "escalate.h"
+#include "progress.h"
+#include "prove_output.h"
 #include "valences.h"
+#include "workers.h"
 
 #include "../bigfloat/interval.h"
 
 #include <errno.h>
 #include <getopt.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,11 +25,18 @@ static const char help[] =
     "\n"
     "  --valence LIST        valences, such as 7 or 3..20,50\n"
     "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
+    "  --method METHOD       adaptive (default), or uniform: the reference for triangle meshes, which\n"
+    "                        subdivides everywhere alike and bounds the error of the whole net; the\n"
+    "                        certificate's trees are then sought no deeper\n"
     "  --precision BITS      only balls of this precision (64 to 8192); default: hardware\n"
     "                        intervals, then balls of 64, 128, 256 ... bits\n"
-    "  --max-precision BITS  the highest precision to try (default 4096)\n"
+    "  --max-precision BITS  the highest precision to try (default 4096; 0: intervals only)\n"
     "  --max-level N         the deepest subdivision to try (default: grows with the precision)\n"
-    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME)\n"
+    "  --time-limit SECONDS  leave undecided what is not decided by then\n"
+    "  --jobs N              work on N valences at a time (default 1)\n"
+    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME); what is\n"
+    "                        proved there already is only checked again\n"
+    "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
 typedef struct {
@@ -33,68 +44,93 @@ typedef struct {
     const char *list;
     const char *out;
     limits limits;
+    long jobs;
+    bool uniform;
+    bool json;
 } options;
 
 typedef struct {
     options options;
     scheme scheme;
     problem problem;
+    uniform_bounds uniform;
     valences valences;
     archive archive;
+    progress progress;
+    int result;
 } prove_run;
 
 /* ---- arguments ---- */
 
+static bool read_seconds(double *at, const char *text)
+{
+    char *end;
+    double seconds = strtod(text, &end);
+    *at = deadline_now() + seconds;
+    return end != text && *end == '\0' && seconds > 0 && seconds <= 1e9;
+}
+
 /* -1: go on; else the exit status. */
+static int read_option(options *o, int option, const char *value)
+{
+    long level = 0;
+    switch (option) {
+    case 'v':
+        o->list = value;
+        return -1;
+    case 's':
+        return scheme_options_set(&o->scheme, value) ? -1 : complain(EXIT_USAGE, "--set: at most %d settings", SCHEME_OPTIONS_MAX);
+    case 'M':
+        o->uniform = !strcmp(value, "uniform");
+        return o->uniform || !strcmp(value, "adaptive") ? -1 : complain(EXIT_USAGE, "--method: expected 'adaptive' or 'uniform', found '%s'", value);
+    case 'p':
+        if (read_long_option(&o->limits.precision, value, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
+            return -1;
+        return complain(EXIT_USAGE, "--precision: expected a number of bits from %d to %d, found '%s'", LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION, value);
+    case 'm':
+        if (read_long_option(&o->limits.max_precision, value, 0, LIMITS_MAX_PRECISION))
+            return -1;
+        return complain(EXIT_USAGE, "--max-precision: expected a number of bits from 0 to %d, found '%s'", LIMITS_MAX_PRECISION, value);
+    case 'l':
+        if (!read_long_option(&level, value, 1, TREE_MAX_DEPTH))
+            return complain(EXIT_USAGE, "--max-level: expected a number from 1 to %d, found '%s'", TREE_MAX_DEPTH, value);
+        o->limits.max_level = (int)level;
+        return -1;
+    case 't':
+        return read_seconds(&o->limits.deadline.at, value) ? -1 : complain(EXIT_USAGE, "--time-limit: expected a number of seconds, found '%s'", value);
+    case 'j':
+        return read_long_option(&o->jobs, value, 1, 256) ? -1 : complain(EXIT_USAGE, "--jobs: expected a number from 1 to 256, found '%s'", value);
+    case 'o':
+        o->out = value;
+        return -1;
+    case 'J':
+        o->json = true;
+        return -1;
+    default:
+        fputs(help, stdout);
+        return finish_output(0);
+    }
+}
+
 static int read_options(options *o, int argc, char **argv)
 {
-    enum { OPTION_VALENCE = 256, OPTION_SET, OPTION_PRECISION, OPTION_MAX_PRECISION, OPTION_MAX_LEVEL, OPTION_OUT, OPTION_HELP };
     static const struct option known[] = {
-        {"valence", required_argument, NULL, OPTION_VALENCE},
-        {"set", required_argument, NULL, OPTION_SET},
-        {"precision", required_argument, NULL, OPTION_PRECISION},
-        {"max-precision", required_argument, NULL, OPTION_MAX_PRECISION},
-        {"max-level", required_argument, NULL, OPTION_MAX_LEVEL},
-        {"out", required_argument, NULL, OPTION_OUT},
-        {"help", no_argument, NULL, OPTION_HELP},
-        {NULL, 0, NULL, 0},
+        {"valence", required_argument, NULL, 'v'},   {"set", required_argument, NULL, 's'},       {"precision", required_argument, NULL, 'p'},
+        {"max-precision", required_argument, NULL, 'm'}, {"max-level", required_argument, NULL, 'l'}, {"time-limit", required_argument, NULL, 't'},
+        {"jobs", required_argument, NULL, 'j'},      {"out", required_argument, NULL, 'o'},       {"json", no_argument, NULL, 'J'},
+        {"method", required_argument, NULL, 'M'},    {"help", no_argument, NULL, 'h'},                {NULL, 0, NULL, 0},
     };
-    long level = 0;
     int option, result;
     memset(o, 0, sizeof *o);
-    o->limits = (limits){0, 4096, 0, false};
+    o->limits.max_precision = 4096;
+    o->jobs = 1;
     opterr = 0;
     while ((option = getopt_long(argc, argv, "", known, NULL)) != -1) {
-        switch (option) {
-        case OPTION_VALENCE:
-            o->list = optarg;
-            break;
-        case OPTION_SET:
-            if (!scheme_options_set(&o->scheme, optarg))
-                return complain(EXIT_USAGE, "--set: at most %d settings", SCHEME_OPTIONS_MAX);
-            break;
-        case OPTION_PRECISION:
-            if (!read_long_option(&o->limits.precision, optarg, LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION))
-                return complain(EXIT_USAGE, "--precision: expected a number of bits from %d to %d, found '%s'", LIMITS_MIN_PRECISION, LIMITS_MAX_PRECISION, optarg);
-            break;
-        case OPTION_MAX_PRECISION:
-            if (!read_long_option(&o->limits.max_precision, optarg, 0, LIMITS_MAX_PRECISION))
-                return complain(EXIT_USAGE, "--max-precision: expected a number of bits from 0 to %d, found '%s'", LIMITS_MAX_PRECISION, optarg);
-            break;
-        case OPTION_MAX_LEVEL:
-            if (!read_long_option(&level, optarg, 1, TREE_MAX_DEPTH))
-                return complain(EXIT_USAGE, "--max-level: expected a number from 1 to %d, found '%s'", TREE_MAX_DEPTH, optarg);
-            o->limits.max_level = (int)level;
-            break;
-        case OPTION_OUT:
-            o->out = optarg;
-            break;
-        case OPTION_HELP:
-            fputs(help, stdout);
-            return finish_output(0);
-        default:
+        if (option == '?')
             return complain(EXIT_USAGE, "prove: unknown option or missing value at '%s'; see 'smoothcert prove --help'", argv[optind - 1]);
-        }
+        result = read_option(o, option, optarg);
+        if (result >= 0)
+            return result;
     }
     result = scheme_options_name(&o->scheme, "prove", argc, argv, optind);
     if (result >= 0)
@@ -127,76 +163,127 @@ static int open_archive(prove_run *r)
 
 /* ---- the answers ---- */
 
-/* Bounds are printed so that the decimals still are bounds.  Printing moves a number by at most half a unit of the
-   last digit, so it is moved by a little more than that before: for nine places behind the point 0.5e-9 (the
-   excess is far above a rounding error of numbers below 1), for four significant digits of v at most v / 2000. */
-static double round_up(double v)
+typedef struct {
+    decision decision;
+    char *certificate; /* where it is kept */
+    archive_status kept;
+    int error;         /* errno of what could not be kept */
+} answer;
+
+static void discard(void *result)
 {
-    return v + 0.5e-9 * (1 + 1e-3);
+    answer *a = result;
+    if (!a)
+        return;
+    free(a->certificate);
+    decision_clear(&a->decision);
+    free(a);
 }
 
-static double round_down(double v)
+static void *decide(long i, void *data)
 {
-    return v * (1 - 0.000501);
-}
-
-static void print_decision(const prove_run *r, const decision *d, const char *certificate)
-{
-    const findings *f = &d->findings;
-    char others[32] = "L";
-    if (f->runner_up < f->eigenvalue_lower)
-        snprintf(others, sizeof others, "%.9f", round_up(f->runner_up));
-    if (d->verdict == VERDICT_PROVED) {
-        printf("proved: %s is C1 at valence %ld; L = %s, others < %s (block %ld), Jacobian > %.4g, level %d, %ld elements, ", r->scheme.name, d->valence,
-               f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian), f->level, f->elements);
-    } else {
-        printf("undecided: %s at valence %ld; %s: %s; last tried with ", r->scheme.name, d->valence, f->test, f->reason);
+    prove_run *r = data;
+    answer *a = calloc(1, sizeof *a);
+    buffer earlier;
+    if (!a)
+        return NULL;
+    decision_init(&a->decision);
+    buffer_init(&earlier);
+    archive_read(&r->archive, &earlier, valences_get(&r->valences, i));
+    decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
+    buffer_clear(&earlier);
+    if (a->decision.verdict == VERDICT_PROVED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
+        a->kept = archive_keep(&r->archive, &a->certificate, &a->decision);
+        a->error = errno;
     }
-    if (!d->system)
-        printf("exact arithmetic");
-    else if (!strcmp(d->system, "interval"))
-        printf("double intervals");
-    else
-        printf("balls of %ld bits", d->precision);
-    if (certificate)
-        printf("; %s", certificate);
-    printf("\n");
+    return a;
+}
+
+static void raise_result(prove_run *r, int exit_status)
+{
+    if (r->result == EXIT_PROVED || exit_status > EXIT_UNDECIDED)
+        r->result = exit_status;
+}
+
+static bool report(prove_run *r, const answer *a)
+{
+    const decision *d = &a->decision;
+    progress_clear(&r->progress);
+    if (d->verdict != VERDICT_PROVED && deadline_interrupted()) {
+        raise_result(r, EXIT_INTERRUPTED);
+        return false;
+    }
+    if (d->outcome == OUTCOME_NO_MEMORY) {
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->valence));
+        return false;
+    }
+    if (d->outcome == OUTCOME_BAD_INPUT) {
+        raise_result(r, complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, decision_obstacle(d)->reason));
+        return true;
+    }
+    if (a->kept != ARCHIVE_OK) {
+        raise_result(r, complain(a->error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d->valence, strerror(a->error)));
+        return false;
+    }
+    (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);
+    if (d->verdict != VERDICT_PROVED)
+        raise_result(r, EXIT_UNDECIDED);
+    if (fflush(stdout) != 0) {
+        raise_result(r, EXIT_IO); /* finish_output complains */
+        return false;
+    }
+    return true;
+}
+
+static bool finish(long i, void *result, void *data)
+{
+    prove_run *r = data;
+    answer *a = result;
+    bool go_on = a != NULL && report(r, a);
+    if (!a)
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
+    discard(a);
+    progress_show(&r->progress, i + 1);
+    return go_on;
+}
+
+static void interrupt(int signal)
+{
+    (void)signal;
+    deadline_interrupt();
 }
 
 static int decide_all(prove_run *r)
 {
-    int result = EXIT_PROVED;
-    for (size_t i = 0; i < r->valences.count; i++) {
-        decision d;
-        char *certificate = NULL;
-        archive_status kept;
-        decision_init(&d);
-        decide_valence(&d, &r->problem, r->valences.valence[i], &r->options.limits);
-        if (d.verdict != VERDICT_PROVED && d.no_memory) {
-            decision_clear(&d);
-            return complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", r->valences.valence[i]);
-        }
-        if (d.bad_input) {
-            result = complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, d.findings.reason);
-            decision_clear(&d);
-            continue;
-        }
-        kept = archive_keep(&r->archive, &certificate, &d);
-        if (kept != ARCHIVE_OK) {
-            int lost = complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d.valence, strerror(errno));
-            free(certificate);
-            decision_clear(&d);
-            return lost;
-        }
-        print_decision(r, &d, certificate);
-        if (d.verdict != VERDICT_PROVED && result == EXIT_PROVED)
-            result = EXIT_UNDECIDED;
-        free(certificate);
-        decision_clear(&d);
-        if (fflush(stdout) != 0)
-            return EXIT_IO; /* finish_output complains */
-    }
-    return result;
+    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
+    struct sigaction action = {.sa_handler = interrupt};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    progress_begin(&r->progress, r->valences.count);
+    if (!workers_run(&w))
+        return complain(EXIT_NO_MEMORY, "no memory");
+    progress_clear(&r->progress);
+    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
+        if (archive_write_index(&r->archive) != ARCHIVE_OK)
+            return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/index: %s", r->archive.path, strerror(errno));
+    if (r->result == EXIT_INTERRUPTED)
+        complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
+    return r->result;
+}
+
+/* What the uniform method needs, where it is wanted. */
+static int prepare_method(prove_run *r)
+{
+    if (!r->options.uniform)
+        return -1;
+    if (r->scheme.mesh != MESH_TRIANGLE)
+        return complain(EXIT_USAGE, "--method uniform is for triangle meshes only, and %s is a scheme on a %s mesh", r->scheme.name, mesh_name(r->scheme.mesh));
+    if (!uniform_bounds_make(&r->uniform, &r->problem))
+        return complain(EXIT_NO_MEMORY, "no memory");
+    if (r->uniform.obstacle && !r->problem.obstacle)
+        return complain(EXIT_USAGE, "--method uniform cannot be used for %s: %s", r->scheme.name, r->uniform.obstacle);
+    r->options.limits.uniform = &r->uniform;
+    return -1;
 }
 
 static int prove(prove_run *r)
@@ -214,6 +301,9 @@ static int prove(prove_run *r)
     }
     if (!problem_make(&r->problem, &r->scheme))
         return complain(EXIT_NO_MEMORY, "no memory");
+    result = prepare_method(r);
+    if (result >= 0)
+        return result;
     result = open_archive(r);
     return result >= 0 ? result : decide_all(r);
 }
@@ -224,12 +314,15 @@ int command_prove(int argc, char **argv)
     int result = read_options(&r.options, argc, argv);
     if (result >= 0)
         return result;
+    r.result = EXIT_PROVED;
     scheme_init(&r.scheme);
     problem_init(&r.problem);
+    uniform_bounds_init(&r.uniform);
     r.valences.count = 0;
     archive_init(&r.archive);
     result = prove(&r);
     archive_clear(&r.archive);
+    uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);
     return finish_output(result);

@@ -4,6 +4,8 @@
 
 #include "command_scheme.h"
 
+#include "../lib/decomposition.h"
+#include "../lib/regular_refutation.h"
 #include "../lib/stability.h"
 
 #include <getopt.h>
@@ -27,9 +29,14 @@ static const char help[] =
     "a_d is the mask divided by 1 + z^-d for the directions e1 = (1,0), e2 = (0,1), e3 = (1,-1),\n"
     "and S_a^N is N steps with the mask a. The scheme is C1 on the regular complex if a power of\n"
     "each of S_2a12, S_2a13, S_2a23 (on quads S_2a11, S_2a12, S_2a22) has a norm below 1; the last\n"
-    "is left out where the mask is equal to its mirror image. Nothing follows if there is none.\n"
+    "is left out where the mask is equal to its mirror image. It is not C1, on the other hand, if\n"
+    "values at 2^-N x fall more slowly than those of C1 functions can, which is decided exactly from\n"
+    "the eigenvalues that they follow. If neither holds it is undecided.\n"
     "C, C1, C2: one step of the scheme (of its derivatives 1, 2) differs from a step of linear or\n"
     "constant interpolation by at most C times the largest difference of neighbours.\n"
+    "On triangles these constants follow as in Zorin's thesis, too, by decomposing the mask: as they\n"
+    "are printed there, and as its argument proves them. (Printed ones that are not below the least\n"
+    "are bounds.)\n"
     "K, K1, K2: the limit (its derivatives) is at most K times as large as the data.\n";
 
 typedef struct {
@@ -56,7 +63,9 @@ typedef struct {
     int column_count;
     int power;             /* rows of the table */
     bool proved;
+    regular_refutation refutation; /* unless proved */
     comparison comparison;
+    decomposition thesis; /* on triangles */
     stability stability[3]; /* of values and both derivatives */
 } regular_run;
 
@@ -157,6 +166,12 @@ static bool find_norms(regular_run *r)
     return true;
 }
 
+static bool find_constants(regular_run *r)
+{
+    return comparison_make(&r->comparison, &r->scheme.mask, &r->masks)
+           && (r->masks.mesh != MESH_TRIANGLE || decomposition_make(&r->thesis, &r->scheme.mask, &r->masks));
+}
+
 static bool find_bounds(regular_run *r)
 {
     for (int i = 0; r->proved && i < 3; i++)
@@ -171,7 +186,9 @@ static bool analyse(regular_run *r)
 {
     if (!regular_derive(&r->masks, &r->scheme.mask, r->scheme.mesh))
         return false;
-    return !r->masks.divisible || (find_norms(r) && comparison_make(&r->comparison, &r->scheme.mask, &r->masks) && find_bounds(r));
+    if (r->masks.divisible && !(find_norms(r) && find_constants(r) && find_bounds(r)))
+        return false;
+    return r->proved || regular_refute(&r->refutation, &r->scheme.mask, r->scheme.mesh);
 }
 
 /* ---- text ---- */
@@ -266,9 +283,25 @@ static long count_points(const laurent *mask)
     return count;
 }
 
+static void print_refutation(const regular_refutation *z)
+{
+    if (z->point.a == 0) {
+        printf("no; a net that is not constant round a vertex does not change there,\n"
+               "so that subdivision does not converge\n");
+        return;
+    }
+    printf("no; besides those of constant and linear functions there is an\n"
+           "eigenvalue of modulus >= %.10g (frequency %d), and its eigenfunction is not 0\n",
+           (double)z->modulus / REFUTATION_UNIT, z->frequency);
+}
+
 static void print_verdict(const regular_run *r)
 {
     printf("\nC1 on the regular complex: ");
+    if (r->refutation.refuted) {
+        print_refutation(&r->refutation);
+        return;
+    }
     if (!r->proved) {
         printf("undecided; no power up to %d has norms below 1\n", r->power);
         return;
@@ -328,10 +361,48 @@ static bool print_bounds(const regular_run *r)
     return true;
 }
 
+/* "C = 3/4 = 0.75, C1 = C2 = 5/4 = 1.25" */
+static bool print_constants(const comparison *c, bool symmetric)
+{
+    char text[3][CELL];
+    if (!write_cell(text[0], &c->values) || !write_cell(text[1], &c->derivative[0]) || !write_cell(text[2], &c->derivative[1]))
+        return false;
+    if (symmetric)
+        printf("C = %s, C1 = C2 = %s\n", text[0], text[1]);
+    else
+        printf("C = %s, C1 = %s, C2 = %s\n", text[0], text[1], text[2]);
+    return true;
+}
+
+static bool is_at_least(const comparison *x, const comparison *y)
+{
+    return rational_cmp(&x->values, &y->values) >= 0 && rational_cmp(&x->derivative[0], &y->derivative[0]) >= 0
+           && rational_cmp(&x->derivative[1], &y->derivative[1]) >= 0;
+}
+
+static bool print_thesis(const regular_run *r)
+{
+    if (r->masks.mesh != MESH_TRIANGLE || !r->thesis.identity)
+        return true;
+    printf("\nThe least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):\n");
+    printf("as printed    ");
+    if (!print_constants(&r->thesis.printed, r->masks.symmetric))
+        return false;
+    if (!is_at_least(&r->thesis.printed, &r->comparison))
+        printf("              (below the least: these are no bounds)\n");
+    printf("as proved     ");
+    return print_constants(&r->thesis.proved, r->masks.symmetric);
+}
+
 static bool print_text(const regular_run *r)
 {
     printf("%s: %s, %ld mask points%s\n\n", r->scheme.name, mesh_in_words(r->scheme.mesh), count_points(&r->scheme.mask),
            r->masks.symmetric ? ", equal to its mirror image" : ", not equal to its mirror image");
+    if (!r->masks.divisible && r->refutation.refuted) {
+        printf("The mask is not divisible by 1 + z^-d in the directions needed, and there are no norms.\n");
+        print_verdict(r);
+        return true;
+    }
     if (!r->masks.divisible) {
         printf("C1 on the regular complex: undecided; the mask is not divisible by 1 + z^-d in the directions\n"
                "needed, and the criterion by norms is silent\n");
@@ -340,7 +411,7 @@ static bool print_text(const regular_run *r)
     if (!print_table(r))
         return false;
     print_verdict(r);
-    return print_bounds(r);
+    return print_bounds(r) && print_thesis(r);
 }
 
 /* ---- JSON ---- */
@@ -373,6 +444,23 @@ static bool print_json_norms(const regular_run *r)
     return true;
 }
 
+static bool print_json_constants(const char *key, const comparison *c)
+{
+    printf("  \"%s\": {", key);
+    return print_json_rational("C", &c->values, ", ") && print_json_rational("C1", &c->derivative[0], ", ")
+           && print_json_rational("C2", &c->derivative[1], "},\n");
+}
+
+static bool print_json_thesis(const regular_run *r)
+{
+    if (r->masks.mesh != MESH_TRIANGLE || !r->thesis.identity)
+        return true;
+    if (!print_json_constants("comparison_thesis", &r->thesis.printed) || !print_json_constants("comparison_decomposition", &r->thesis.proved))
+        return false;
+    printf("  \"comparison_thesis_is_bound\": %s,\n", is_at_least(&r->thesis.printed, &r->comparison) ? "true" : "false");
+    return true;
+}
+
 static void print_json_stability(const char *key, const stability *k, const char *behind)
 {
     static const char *const kinds[] = {"none", "convex", "window", "series"};
@@ -394,9 +482,7 @@ static bool print_json(const regular_run *r)
     if (r->masks.divisible) {
         if (!print_json_norms(r))
             return false;
-        printf("  \"comparison\": {");
-        if (!print_json_rational("C", &r->comparison.values, ", ") || !print_json_rational("C1", &r->comparison.derivative[0], ", ")
-            || !print_json_rational("C2", &r->comparison.derivative[1], "},\n"))
+        if (!print_json_constants("comparison", &r->comparison) || !print_json_thesis(r))
             return false;
         printf("  \"stability\": {\n");
         print_json_stability("K", &r->stability[0], ",");
@@ -404,7 +490,10 @@ static bool print_json(const regular_run *r)
         print_json_stability("K2", &r->stability[2], "");
         printf("  },\n");
     }
-    printf("  \"c1_on_regular_complex\": \"%s\"\n}\n", r->proved ? "proved" : "undecided");
+    if (r->refutation.refuted)
+        printf("  \"refutation\": {\"modulus_at_least\": %.10g, \"frequency\": %d, \"seen_at\": [%d, %d]},\n",
+               (double)r->refutation.modulus / REFUTATION_UNIT, r->refutation.frequency, r->refutation.point.a, r->refutation.point.b);
+    printf("  \"c1_on_regular_complex\": \"%s\"\n}\n", r->proved ? "proved" : r->refutation.refuted ? "refuted" : "undecided");
     return true;
 }
 
@@ -418,7 +507,9 @@ static void regular_run_init(regular_run *r)
         norm_list_init(&r->columns[i].norms);
     r->column_count = r->power = 0;
     r->proved = false;
+    r->refutation.refuted = false;
     comparison_init(&r->comparison);
+    decomposition_init(&r->thesis);
     for (int i = 0; i < 3; i++)
         r->stability[i] = (stability){STABILITY_NONE, 0, 0};
 }
@@ -430,6 +521,7 @@ static void regular_run_clear(regular_run *r)
     for (int i = 0; i < MAX_COLUMNS; i++)
         norm_list_clear(&r->columns[i].norms);
     comparison_clear(&r->comparison);
+    decomposition_clear(&r->thesis);
 }
 
 static int run(regular_run *r)

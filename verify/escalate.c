@@ -21,91 +21,109 @@ void decision_clear(decision *z)
     decision_init(z);
 }
 
-static void note_attempt(decision *z, const char *system, long precision, int max_level, outcome o, const findings *f)
+const attempt *decision_obstacle(const decision *z)
 {
-    attempt *a;
-    z->no_memory = z->no_memory || o == OUTCOME_NO_MEMORY;
-    z->bad_input = z->bad_input || o == OUTCOME_BAD_INPUT;
-    if (z->attempt_count == MAX_ATTEMPTS)
-        return;
-    a = &z->attempts[z->attempt_count++];
-    *a = (attempt){system, precision, max_level, o, f->test, f->level, f->elements, f->jacobian, ""};
-    memcpy(a->reason, f->reason, sizeof a->reason);
+    return findings_last((findings *)&z->findings);
 }
 
 /* Is the certificate as text a proof, by its specification? */
-static outcome replay(decision *z, const problem *p, const buffer *certificate)
+static outcome replay(decision *z, const analysis_plan *p, const buffer *certificate)
 {
+    analysis_plan plan = {.problem = p->problem, .deadline = p->deadline, .system = "grid"};
     choices c;
-    findings f;
     long line = 0;
     outcome o;
     choices_init(&c);
-    findings_init(&f);
-    f.test = "certificate";
-    if (certificate->failed || !certificate_read(&c, &line, p->scheme, certificate->bytes, certificate->length))
+    if (certificate->failed || !certificate_read(&c, &line, p->problem->scheme, certificate->bytes, certificate->length))
         o = OUTCOME_NO_MEMORY;
-    else if (line || c.valence != z->valence)
-        o = findings_explain(&f, OUTCOME_FALSE, "the certificate does not read back (line %ld): this is a fault of the program", line);
-    else
-        o = analysis_replay_grid(&f, &c, p, c.grid);
-    note_attempt(z, "grid", c.grid, 0, o, &f);
+    else if (line || c.valence != z->valence) {
+        findings_begin(&z->findings, "certificate", "grid", c.grid);
+        o = findings_explain(&z->findings, OUTCOME_FALSE, "the certificate does not read back (line %ld): this is a fault of the program", line);
+        findings_last(&z->findings)->outcome = o;
+    } else
+        o = analysis_replay_grid(&z->findings, &c, &plan, c.grid);
     choices_clear(&c);
-    findings_clear(&f);
     return o;
 }
 
 /* One rung of the ladder: precision 0 is hardware intervals. */
-static outcome try_precision(decision *z, const problem *p, const limits *l, long precision)
+static outcome try_precision(decision *z, choices *c, analysis_plan *plan, const limits *l, long precision)
 {
     bool hardware = precision == 0;
-    long g = hardware ? CHOICES_MIN_GRID : precision;
-    int max_level = l->max_level ? l->max_level : 12 + (int)(precision / 64);
-    choices c;
-    findings f;
-    outcome o = OUTCOME_NO_MEMORY;
-    choices_init(&c);
-    findings_init(&f);
-    if (max_level > TREE_MAX_DEPTH)
-        max_level = TREE_MAX_DEPTH;
-    if (choices_make(&c, z->valence, g))
-        o = hardware ? analysis_search_interval(&f, &c, p, max_level, 53) : analysis_search_ball(&f, &c, p, max_level, precision);
-    z->system = hardware ? "interval" : "ball";
+    outcome o;
+    z->system = plan->system = hardware ? "interval" : "ball";
     z->precision = hardware ? 53 : precision;
-    note_attempt(z, z->system, z->precision, max_level, o, &f);
-    findings_clear(&z->findings);
-    z->findings = f;
-    if (o == OUTCOME_TRUE) {
-        certificate_write(&z->certificate, p->scheme, &c);
-        o = replay(z, p, &z->certificate);
-        if (o != OUTCOME_TRUE) {
-            buffer_clear(&z->certificate);
-            findings_explain(&z->findings, o, "found at this precision, but the certificate does not prove it on its grid");
-            o = o == OUTCOME_NO_MEMORY ? o : OUTCOME_FAIL;
-        }
+    c->grid = hardware ? CHOICES_MIN_GRID : precision;
+    plan->max_level = l->max_level ? l->max_level : 12 + (int)(precision / 64);
+    if (plan->max_level > TREE_MAX_DEPTH)
+        plan->max_level = TREE_MAX_DEPTH;
+    o = hardware ? analysis_search_interval(&z->findings, c, plan, 53) : analysis_search_ball(&z->findings, c, plan, precision);
+    if (o != OUTCOME_TRUE)
+        return o;
+    z->plainly_regular = c->plainly_regular;
+    certificate_write(&z->certificate, plan->problem->scheme, c);
+    o = replay(z, plan, &z->certificate);
+    if (o != OUTCOME_TRUE) {
+        buffer_clear(&z->certificate);
+        memset(plan->found, 0, sizeof plan->found); /* everything anew, with more precision */
+        z->findings.level = 0;
+        z->findings.elements = 0;
     }
-    choices_clear(&c);
-    return o;
+    return o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED ? OUTCOME_FAIL : o;
 }
 
-void decide_valence(decision *z, const problem *p, long valence, const limits *l)
+/* Has the uniform method run out of levels, where more precision does not help? */
+static bool is_uniform_open(const analysis_plan *plan)
+{
+    return plan->uniform && plan->found[TEST_SPECTRUM] && !plan->found[TEST_UNIFORM];
+}
+
+static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
 {
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
-    z->valence = valence;
-    if (p->obstacle) {
-        z->findings.test = "regular complex";
-        findings_explain(&z->findings, OUTCOME_UNDEFINED, "%s", p->obstacle);
-        note_attempt(z, "exact", 0, 0, OUTCOME_UNDEFINED, &z->findings);
-        return;
-    }
     for (;;) {
-        outcome o = try_precision(z, p, l, precision);
+        outcome o = try_precision(z, c, plan, l, precision);
         if (o == OUTCOME_TRUE)
             z->verdict = VERDICT_PROVED;
-        if (o == OUTCOME_TRUE || o == OUTCOME_FALSE || z->no_memory || z->bad_input || l->precision)
-            return;
+        if (o == OUTCOME_UNDEFINED && is_uniform_open(plan))
+            return o;
+        if ((o != OUTCOME_UNDEFINED && o != OUTCOME_FAIL) || l->precision || plan->problem->obstacle || !plan->found[TEST_REGULAR_COMPLEX])
+            return o;
+        if (deadline_passed(plan->deadline))
+            return OUTCOME_STOPPED;
         precision = precision ? 2 * precision : LIMITS_MIN_PRECISION;
         if (precision > l->max_precision)
-            return;
+            return o;
     }
+}
+
+/* Does a certificate of an earlier run prove it?  OUTCOME_NO_MEMORY is not told from "no": then it is proved anew. */
+static bool is_proved_before(decision *z, const analysis_plan *plan, const buffer *earlier)
+{
+    if (!earlier || !earlier->length)
+        return false;
+    if (replay(z, plan, earlier) == OUTCOME_TRUE) {
+        buffer_append(&z->certificate, earlier->bytes, earlier->length);
+        z->verdict = VERDICT_PROVED;
+        z->kept_before = true;
+        return true;
+    }
+    findings_clear(&z->findings);
+    return false;
+}
+
+void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l)
+{
+    double start = deadline_now();
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
+    choices c;
+    choices_init(&c);
+    z->valence = valence;
+    c.valence = valence;
+    if (!l->precision && !l->uniform && is_proved_before(z, &plan, earlier))
+        z->outcome = OUTCOME_TRUE;
+    else
+        z->outcome = escalate(z, &c, &plan, l);
+    choices_clear(&c);
+    z->seconds = deadline_now() - start;
 }

@@ -11,44 +11,37 @@ typedef struct {
     long max_precision; /* of balls, when escalating */
     int max_level;      /* of subdivision; 0: chosen with the precision */
     bool no_intervals;  /* hardware intervals are not to be trusted here: balls only */
+    const uniform_bounds *uniform; /* NULL: the adaptive method only; else the uniform one first (verify/uniform.md) */
+    deadline deadline;
 } limits;
 
 #define LIMITS_MIN_PRECISION 64
 #define LIMITS_MAX_PRECISION CHOICES_MAX_GRID
 
-/* One attempt, for the log. */
-typedef struct {
-    const char *system; /* "interval", "ball", "grid" (the replay of a certificate) */
-    long precision;
-    int max_level;
-    outcome outcome;
-    const char *test;   /* the last one that was run */
-    int level;
-    long elements;
-    double jacobian;
-    char reason[256];
-} attempt;
-
-enum { MAX_ATTEMPTS = 64 };
-
 typedef struct {
     long valence;
     verdict verdict;
-    bool no_memory;
-    bool bad_input;           /* the scheme has no meaning at this valence: findings.reason is "LINE:COLUMN: ..." */
-    findings findings;        /* of the decisive attempt */
-    const char *system;       /* of that attempt */
+    outcome outcome;          /* of the last attempt that counts: why the verdict is not another */
+    bool plainly_regular;     /* proved by the regular part alone */
+    bool kept_before;         /* proved by the certificate of an earlier run, followed once more */
+    findings findings;
+    const char *system;       /* of the decisive attempts: "exact", "interval", "ball" */
     long precision;
+    double seconds;
     buffer certificate;       /* what was replayed, if proved; else empty */
-    attempt attempts[MAX_ATTEMPTS];
-    int attempt_count;
 } decision;
 
 void decision_init(decision *z);
 void decision_clear(decision *z);
 
 /* Decides whether the scheme of p is C1 at the valence.  VERDICT_PROVED only after the finished certificate has
-   been read back and followed on grids, as its specification says. */
-void decide_valence(decision *z, const problem *p, long valence, const limits *l);
+   been read back and followed on grids, as its specification says.  If `earlier` (NULL or empty: nothing) is such a
+   certificate that was kept before, it is all there is to do, unless l->precision asks for more.
+   outcome OUTCOME_NO_MEMORY: nothing was decided for lack of memory; OUTCOME_BAD_INPUT: the scheme has no meaning at this
+   valence, the last attempt's reason is "LINE:COLUMN: ..."; OUTCOME_STOPPED: the deadline. */
+void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l);
+
+/* The attempt that says why the verdict is undecided. */
+const attempt *decision_obstacle(const decision *z);
 
 #endif

@@ -1,5 +1,5 @@
 /* findings.c: life of the findings. */
-#include "analysis.h"
+#include "findings.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -20,11 +20,30 @@ void findings_clear(findings *z)
     findings_init(z);
 }
 
-outcome findings_explain(findings *f, outcome o, const char *format, ...)
+attempt *findings_begin(findings *z, const char *test, const char *system, long precision)
+{
+    attempt *a = &z->attempts[z->attempt_count < MAX_ATTEMPTS ? z->attempt_count++ : MAX_ATTEMPTS - 1];
+    memset(a, 0, sizeof *a);
+    a->test = test;
+    a->system = system;
+    a->precision = precision;
+    a->bound = NAN;
+    a->error = NAN;
+    a->outcome = OUTCOME_TRUE;
+    return a;
+}
+
+attempt *findings_last(findings *z)
+{
+    return &z->attempts[z->attempt_count ? z->attempt_count - 1 : 0];
+}
+
+outcome findings_explain(findings *z, outcome o, const char *format, ...)
 {
     va_list arguments;
+    attempt *a = findings_last(z);
     va_start(arguments, format);
-    vsnprintf(f->reason, sizeof f->reason, format, arguments);
+    vsnprintf(a->reason, sizeof a->reason, format, arguments);
     va_end(arguments);
     return o;
 }

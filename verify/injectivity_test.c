@@ -24,37 +24,46 @@ static outcome lies_in_half_plane(double *margin, const adaptive_box *box, const
     return o;
 }
 
-/* The bisector of the directions in which the sector's two spokes are mapped. */
-static void choose_normal(long normal[2], const sector_net *net, int at)
+/* The bisector of the directions of the two ends of the curve, V(2r,0) and t V(2r,0). */
+static bool choose_normal(long normal[2], const sector_net *net, int at, long prec)
 {
-    double sign = number_mid_approx(&net->x[sector_index(net, at, 0)]) < 0 ? -1 : 1;
-    double c = number_mid_approx(&net->twist->forth.xx), v = number_mid_approx(&net->twist->forth.yx), length = hypot(c, v);
-    normal[0] = (long)(sign * NORMAL_SCALE * (1 + c / length));
-    normal[1] = (long)(sign * NORMAL_SCALE * (v / length));
+    double x, y, p, q, length;
+    number s, t;
+    number_init(&s);
+    number_init(&t);
+    sector_value(&s, &t, net, at, 0, prec);
+    x = number_mid_approx(&s);
+    y = number_mid_approx(&t);
+    if (net->twist)
+        twist_apply(&s, &t, net->twist, 1, prec);
+    p = number_mid_approx(&s);
+    q = number_mid_approx(&t);
+    number_clear(&s);
+    number_clear(&t);
+    length = hypot(x, y);
+    x /= length;
+    y /= length;
+    length = hypot(p, q);
+    p = x + p / length;
+    q = y + q / length;
+    length = hypot(p, q);
+    if (!(length > 0x1p-20))
+        return false;
+    normal[0] = (long)(NORMAL_SCALE * p / length);
+    normal[1] = (long)(NORMAL_SCALE * q / length);
+    return true;
 }
 
 outcome test_injectivity(analysis *a)
 {
-    const ring *g = &a->problem->geometry;
-    charnet_windows values;
-    adaptive_report report;
-    outcome o;
-    block_status s;
-    a->findings->test = "injectivity";
-    if (!a->replay)
-        choose_normal(a->choices->normal, &a->net, 2 * g->radius);
-    s = charnet_windows_make(&values, &a->net, g, RING_VALUES, g->boundary, g->boundary_count, a->prec);
-    if (s == BLOCK_OK) {
-        adaptive_task task = {g, g->boundary, g->boundary_count, 1, {RING_VALUES, 0}, {&values, NULL}, {&a->mask[RING_VALUES], NULL},
-                              lies_in_half_plane, a->choices->normal, a->replay, a->max_level};
-        o = adaptive_run(&report, &a->choices->boundary, &task, a->prec);
-        a->findings->elements += report.examined;
-        a->findings->level = report.level > a->findings->level ? report.level : a->findings->level;
-    } else {
-        o = s == BLOCK_OPPOSITE ? OUTCOME_FALSE : OUTCOME_NO_MEMORY;
-    }
+    const ring *g = &a->plan->problem->geometry;
+    adaptive_task task = {.nets = 1, .which = {RING_VALUES}, .decide = lies_in_half_plane, .data = a->choices->normal};
+    outcome o = analysis_make_net(a);
+    if (o == OUTCOME_TRUE && !a->replay && !choose_normal(a->choices->normal, &a->net, 2 * g->radius, a->prec))
+        o = findings_explain(a->findings, OUTCOME_FAIL, "the ends of one sector of the outer curve could not be told from 0");
+    if (o == OUTCOME_TRUE)
+        o = analysis_subdivide(a, &task, &a->choices->boundary, g->boundary, g->boundary_count);
     if (o == OUTCOME_UNDEFINED || o == OUTCOME_FALSE)
         findings_explain(a->findings, o, "one sector of the outer curve could not be shown to lie in a half-plane seen from 0");
-    charnet_windows_free(&values);
     return o;
 }

@@ -2,26 +2,39 @@
 
 VERIFY_SOURCES = \
   verify/outcome.h verify/outcome.c \
+  verify/deadline.h verify/deadline.c \
   verify/buffer.h verify/buffer.c \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
-  verify/problem.h verify/problem.c \
   verify/choices.h verify/choices.c \
+  verify/problem.h verify/problem.c \
   verify/certificate.h verify/certificate.c \
-  verify/analysis.h verify/findings.c \
+  verify/uniform_bounds.h verify/uniform_bounds.c \
+  verify/findings.h verify/findings.c \
+  verify/analysis.h \
   verify/escalate.h verify/escalate.c \
-  verify/archive.h verify/archive.c \
+  verify/prove_output.h verify/prove_output.c \
+  verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
   verify/valences.h verify/valences.c \
+  verify/workers.h verify/workers.c \
+  verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \
   verify/adaptive.h verify/adaptive.c \
-  verify/tests.h \
+  verify/uniform_net.h verify/uniform_net.c \
+  verify/tests.h verify/uniform.h \
+  verify/eigenpair_test.c \
   verify/spectrum_test.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
-  verify/spectrum_blocks.c \
+  verify/uniform_regularity_test.c \
+  verify/uniform_isolation_test.c \
+  verify/uniform_injectivity_test.c \
+  verify/uniform.c \
+  verify/spectrum_blocks.h verify/spectrum_blocks.c \
+  verify/spectrum_survey.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
@@ -40,4 +53,4 @@ smoothcert_SOURCES = \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md verify/scheme-0.md
+EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/uniform.md verify/scheme-0.md

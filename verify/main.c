@@ -48,17 +48,30 @@ int finish_output(int exit_status)
     return exit_status;
 }
 
+/* "help COMMAND" and "COMMAND -h" become "COMMAND --help", "help" and "-h" become "--help". */
+static void understand_help(int argc, char **argv)
+{
+    static char help_option[] = "--help";
+    if (argc == 3 && !strcmp(argv[1], "help"))
+        argv[1] = argv[2], argv[2] = help_option;
+    else if (argc == 3 && !strcmp(argv[2], "-h"))
+        argv[2] = help_option;
+    else if (argc == 2 && (!strcmp(argv[1], "help") || !strcmp(argv[1], "-h")))
+        argv[1] = help_option;
+}
+
 int main(int argc, char **argv)
 {
     fesetround(FE_TONEAREST); /* printing relies on it, whatever mode was inherited */
     if (argc < 2)
         return complain(EXIT_USAGE, "no command given; 'smoothcert --help' lists them");
+    understand_help(argc, argv);
     if (!strcmp(argv[1], "--help")) {
         fputs(help, stdout);
         return finish_output(0);
     }
     if (!strcmp(argv[1], "--version")) {
-        puts("smoothcert " PACKAGE_VERSION "\ncertificate format 0");
+        puts("smoothcert " PACKAGE_VERSION "\ncertificate format 1");
         return finish_output(0);
     }
     if (!strcmp(argv[1], "prove"))

@@ -3,7 +3,7 @@
 
 const char *outcome_name(outcome o)
 {
-    static const char *const names[] = {"true", "false", "undefined", "fail", "bad input", "no memory"};
+    static const char *const names[] = {"true", "false", "undefined", "fail", "stopped", "bad input", "no memory"};
     return names[o];
 }
 

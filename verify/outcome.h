@@ -10,6 +10,7 @@ typedef enum {
     OUTCOME_FALSE,     /* the opposite was found, or no precision is likely to help */
     OUTCOME_UNDEFINED, /* more subdivision may help */
     OUTCOME_FAIL,      /* only more precision may help */
+    OUTCOME_STOPPED,   /* a limit of time was met, or somebody interrupted */
     OUTCOME_BAD_INPUT, /* a formula of the scheme has no value here */
     OUTCOME_NO_MEMORY
 } outcome;

@@ -1,5 +1,7 @@
-/* problem.c: the test of the regular complex, and the geometry of the ring. */
+/* problem.c: the test of the regular complex, and what follows from the mask alone. */
 #include "problem.h"
+
+#include "../lib/stability.h"
 
 #include <string.h>
 
@@ -20,59 +22,60 @@ void problem_clear(problem *z)
         rational_clear(&z->norm[i]);
 }
 
-/* Formulas that certificates of version 0 can contain (lib/scheme-0.md). */
-static bool is_plain(const formula *f)
+/* How much larger than their data limits are.  (Certificates know the proofs by convexity and by windows.) */
+static bool find_stability(problem *z)
 {
-    switch (f->kind) {
-    case FORMULA_NUMBER:
-    case FORMULA_PI:
-    case FORMULA_VARIABLE:
-        return true;
-    case FORMULA_POWER:
-        return is_plain(f->child[0]) && (f->child[1]->kind == FORMULA_NUMBER || (f->child[1]->kind == FORMULA_NEGATE && f->child[1]->child[0]->kind == FORMULA_NUMBER));
-    case FORMULA_NEGATE:
-    case FORMULA_COS_SIN:
-        return is_plain(f->child[0]);
-    case FORMULA_BINARY:
-        return is_plain(f->child[0]) && is_plain(f->child[1]);
-    default:
-        return false;
+    bool convex = true, ok = true;
+    comparison c;
+    comparison_init(&c);
+    for (int i = 0; i < RING_NETS; i++)
+        convex = convex && laurent_is_nonnegative(z->geometry.mask[i]);
+    if (!convex) /* else the constants are not needed */
+        ok = comparison_make(&c, &z->scheme->mask, &z->regular);
+    for (int i = 0; ok && i < RING_NETS; i++) {
+        stability s;
+        if (i == RING_SECOND && z->regular.symmetric) {
+            z->stability[i] = z->stability[RING_FIRST];
+            continue;
+        }
+        ok = stability_find(&s, &z->scheme->mask, &z->regular, &c, i - 1);
+        if (s.kind != STABILITY_CONVEX && s.kind != STABILITY_WINDOW)
+            z->special_obstacle = "no bound for the limits of the mask and its derivatives was found by windows of a power of the scheme";
+        z->stability[i] = (stability_choice){s.kind == STABILITY_WINDOW ? s.power : 0, s.bound};
     }
-}
-
-/* A mask on triangles and one rule: centre, and the ring of neighbours. */
-static bool is_covered(const scheme *s)
-{
-    const scheme_step *step = &s->steps[0];
-    const rule *r = step->rules;
-    if (s->mesh != MESH_TRIANGLE || !s->mirror_symmetric || s->definitions.count || step->rule_count != 1)
-        return false;
-    if (!r->at_centre || r->condition || r->count != 2 || r->sources[0].kind != SOURCE_CENTRE || r->sources[1].kind != SOURCE_ALL)
-        return false;
-    for (int i = 0; i < 2; i++)
-        if (r->sources[i].weight && !is_plain(r->sources[i].weight))
-            return false;
-    return r->sources[1].point.a == 1 && r->sources[1].point.b == 0;
+    comparison_clear(&c);
+    return ok;
 }
 
 bool problem_make(problem *z, const scheme *s)
 {
     z->scheme = s;
-    if (!is_covered(s)) {
-        z->obstacle = "proofs of this version cover mirror-symmetric masks on triangles with one rule, for the centre from 'centre' and 'all (1,0)', without definitions or cases";
-        return true;
-    }
     if (!regular_derive(&z->regular, &s->mask, s->mesh))
         return false;
     if (!z->regular.divisible) {
         z->obstacle = "the mask is not divisible by 1 + 1/z^e in all directions, so the norm criterion for the regular complex is silent";
         return true;
     }
-    if (!regular_contraction(z->contraction, z->norm, &z->regular) || !ring_make(&z->geometry, s, &z->regular))
+    if (!regular_contraction(z->contraction, z->norm, &z->regular))
         return false;
-    if (!z->contraction[0] || !z->contraction[1] || !z->contraction[2])
+    if (!z->contraction[0] || !z->contraction[1] || !z->contraction[2]) {
         z->obstacle = "no power of the second difference schemes that was tried has a norm below 1: C1 on the regular complex is not proved";
-    else if (!z->geometry.nonnegative)
-        z->obstacle = "the mask or one of its derivative masks has negative weights, which this version does not cover";
-    return true;
+        return true;
+    }
+    return ring_make(&z->geometry, s, &z->regular) && find_stability(z);
+}
+
+status problem_is_plainly_regular(bool *plainly, const problem *z, long k, diagnostic *d)
+{
+    const scheme *s = z->scheme;
+    *plainly = k == mesh_regular_valence(s->mesh);
+    for (int i = 0; i < s->step_count; i++)
+        for (int j = 0; *plainly && j < s->steps[i].rule_count; j++) {
+            const rule *r = &s->steps[i].rules[j], *holds;
+            status result = scheme_find_rule(&holds, &s->steps[i], r->at_centre, r->point, k, d);
+            if (result != STATUS_OK)
+                return result;
+            *plainly = holds == NULL;
+        }
+    return STATUS_OK;
 }

@@ -1,8 +1,5 @@
 /* spectrum_blocks.c: all eigenvalues of all blocks of one valence.  Compiled once per number system. */
-#include "spectrum_list.h"
-
-#include "../lib/block.h"
-#include "../lib/eigenvalues.h"
+#include "spectrum_blocks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -10,22 +7,27 @@
 #define list_blocks NUMBER_NAME(list_blocks)
 status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long prec, diagnostic *d);
 
+void disc_modulus(number *modulus, const eigenvalue_disc *d, long prec)
+{
+    number t;
+    number_init(&t);
+    number_sqr(modulus, &d->re, prec);
+    number_sqr(&t, &d->im, prec);
+    number_add(modulus, modulus, &t, prec);
+    number_sqrt(modulus, modulus, prec);
+    number_add_error(modulus, modulus, &d->radius, prec);
+    number_clear(&t);
+}
+
 /* [lower, upper] contains the moduli of all points of the disc. */
 static void bound_modulus(double *lower, double *upper, const eigenvalue_disc *d, long prec)
 {
-    number modulus, t;
+    number modulus;
     number_init(&modulus);
-    number_init(&t);
-    number_sqr(&modulus, &d->re, prec);
-    number_sqr(&t, &d->im, prec);
-    number_add(&modulus, &modulus, &t, prec);
-    number_sqrt(&modulus, &modulus, prec);
-    number_add(&t, &modulus, &d->radius, prec);
-    *upper = number_upper_bound(&t);
-    number_sub(&t, &modulus, &d->radius, prec);
-    *lower = fmax(0, number_lower_bound(&t));
+    disc_modulus(&modulus, d, prec);
+    *upper = number_upper_bound(&modulus);
+    *lower = fmax(0, number_lower_bound(&modulus));
     number_clear(&modulus);
-    number_clear(&t);
 }
 
 static bool add_disc(spectrum_list *z, const eigenvalue_disc *d, long m, int digits, long prec)
@@ -77,14 +79,29 @@ static bool add_bound(spectrum_list *z, const block *b, long prec)
     return true;
 }
 
-static status list_block(spectrum_list *z, scheme_numbers *numbers, long m, int digits, diagnostic *d)
+status block_complaint(block_status s, diagnostic *d)
+{
+    switch (s) {
+    case BLOCK_OK:
+        return STATUS_OK;
+    case BLOCK_OPPOSITE:
+        return diagnostic_set(d, 0, 0, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+    case BLOCK_NO_CENTRE_RULE:
+        return diagnostic_set(d, 0, 0, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+    case BLOCK_BAD_INPUT:
+        return STATUS_BAD_INPUT;
+    default:
+        return STATUS_NO_MEMORY;
+    }
+}
+
+status spectrum_list_block(spectrum_list *z, scheme_numbers *numbers, long m, int digits, diagnostic *d)
 {
     block b;
     eigenvalues e;
-    status result = STATUS_OK;
+    status result = block_complaint(block_make(&b, numbers, m, numbers->scheme->mirror_symmetric, d), d);
     bool ok = true;
-    switch (block_make(&b, numbers, m, numbers->scheme->mirror_symmetric, d)) {
-    case BLOCK_OK:
+    if (result == STATUS_OK) {
         switch (eigenvalues_enclose(&e, b.entry, b.imaginary, b.n, numbers->prec)) {
         case TRUTH_TRUE:
             for (int i = 0; ok && i < e.count; i++)
@@ -97,18 +114,6 @@ static status list_block(spectrum_list *z, scheme_numbers *numbers, long m, int 
             ok = false;
         }
         eigenvalues_free(&e);
-        break;
-    case BLOCK_OPPOSITE:
-        result = diagnostic_set(d, 0, 0, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
-        break;
-    case BLOCK_NO_CENTRE_RULE:
-        result = diagnostic_set(d, 0, 0, "the scheme has no rule for the extraordinary vertex, and the mask is none");
-        break;
-    case BLOCK_BAD_INPUT:
-        result = STATUS_BAD_INPUT;
-        break;
-    default:
-        ok = false;
     }
     block_free(&b);
     return ok ? result : STATUS_NO_MEMORY;
@@ -119,7 +124,7 @@ status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long p
     scheme_numbers numbers;
     status result = scheme_numbers_make(&numbers, s, k, prec, d);
     for (long m = 0; result == STATUS_OK && m <= k / 2; m++)
-        result = list_block(z, &numbers, m, digits, d);
+        result = spectrum_list_block(z, &numbers, m, digits, d);
     scheme_numbers_free(&numbers);
     return result;
 }

@@ -1,12 +1,14 @@
 /* spectrum_list.c: life of spectrum lists. */
 #include "spectrum_list.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 void spectrum_list_init(spectrum_list *z)
 {
     memset(z, 0, sizeof *z);
+    z->top = -1;
 }
 
 void spectrum_list_clear(spectrum_list *z)
@@ -16,6 +18,7 @@ void spectrum_list_clear(spectrum_list *z)
         free(z->entry[i].im);
     }
     free(z->entry);
+    free(z->range);
     spectrum_list_init(z);
 }
 
@@ -31,4 +34,39 @@ spectrum_entry *spectrum_list_add(spectrum_list *z)
     }
     memset(&z->entry[z->count], 0, sizeof *z->entry);
     return &z->entry[z->count++];
+}
+
+bool spectrum_list_add_range(spectrum_list *z, frequencies m, double upper)
+{
+    spectrum_range *before = z->ranges ? &z->range[z->ranges - 1] : NULL;
+    if (before && before->m.last + 1 == m.first && (before->upper == upper || (isinf(before->upper) && isinf(upper)))) {
+        before->m.last = m.last;
+        return true;
+    }
+    if (z->ranges == z->range_capacity) {
+        size_t capacity = z->range_capacity ? 2 * z->range_capacity : 16;
+        spectrum_range *p = realloc(z->range, capacity * sizeof *p);
+        if (!p)
+            return false;
+        z->range = p;
+        z->range_capacity = capacity;
+    }
+    z->range[z->ranges++] = (spectrum_range){m, upper};
+    return true;
+}
+
+long spectrum_find_one(const spectrum_list *z)
+{
+    for (size_t i = 0; i < z->count; i++) {
+        const spectrum_entry *e = &z->entry[i];
+        if (e->m == 0 && e->real && e->modulus_lower <= 1 && e->modulus_upper >= 1)
+            return (long)i;
+    }
+    return -1;
+}
+
+bool spectrum_is_conjugate_pair(const spectrum_entry *x, const spectrum_entry *y)
+{
+    return x->m == y->m && !x->real && !y->real && x->count == 1 && y->count == 1
+           && fabs(x->modulus_lower - y->modulus_lower) <= x->modulus_upper - x->modulus_lower + y->modulus_upper - y->modulus_lower;
 }

@@ -1,174 +1,193 @@
-/* spectrum_test.c: the eigenvalue L of block 1, and its dominance over all blocks (verify/certificate.md, section 6). */
+/* spectrum_test.c: the dominance of L over all blocks (verify/certificate.md, section 6).  Compiled once per number
+   system. */
 #include "tests.h"
 
-#include "../lib/eigen_approx.h"
-#include "../lib/eigenpair.h"
+#include "../lib/cover.h"
 #include "../lib/spectrum.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-typedef struct {
-    analysis *a;
-    number scale; /* thin, >= 1/L */
-} spectrum_run;
-
-static outcome make_block(block *b, spectrum_run *r, long m)
+static outcome out_of_memory_or(truth contracts)
 {
-    findings *f = r->a->findings;
-    diagnostic d;
-    switch (block_make(b, &r->a->numbers, m, true, &d)) {
+    return contracts == TRUTH_FALSE ? OUTCOME_NO_MEMORY : contracts == TRUTH_TRUE ? OUTCOME_TRUE : OUTCOME_FAIL;
+}
+
+/* Every other eigenvalue is at most radius/scale: the figure for people.  A replay does no more squarings than it must,
+   and leaves the figure of the search. */
+static void note_radius(analysis *a, double radius, long m)
+{
+    findings *f = a->findings;
+    double bound = f->eigenvalue_upper * radius * (1 + 0x1p-50); /* 1/scale <= |L| */
+    if (!a->replay && bound > f->runner_up) {
+        f->runner_up = bound;
+        f->runner_up_block = m;
+    }
+}
+
+static outcome complain(analysis *a, frequencies m, bool diverges)
+{
+    long f = a->choices->frequency;
+    const char *others = m.last == 0 ? " other than 1" : m.first == f && m.last == f ? " other than the dominant one" : "";
+    const char *hint = diverges ? "; one of them seems to be at least as large" : "";
+    outcome o = diverges ? OUTCOME_FALSE : OUTCOME_FAIL;
+    if (m.first == m.last)
+        return findings_explain(a->findings, o, "block %ld: its eigenvalues%s could not be shown to be smaller than that of block %ld%s", m.first, others, f, hint);
+    return findings_explain(a->findings, o, "blocks %ld to %ld: their eigenvalues could not be shown to be smaller than that of block %ld%s", m.first, m.last, f, hint);
+}
+
+/* The matrix has only eigenvalues smaller than 1/scale: by the power of the next box of the choices, which must be m
+   alone, or by one that is added to them. */
+static outcome contract(analysis *a, const number *rest, int n, long m, size_t *next)
+{
+    cover_list *blocks = &a->choices->blocks;
+    spectral_answer answer;
+    outcome o;
+    if (a->replay) {
+        const cover_box *box = &blocks->box[*next];
+        if (*next >= blocks->count || box->m.first != m || box->m.last != m || box->power < 0)
+            return findings_explain(a->findings, OUTCOME_FALSE, "the next box should be that of block %ld alone", m);
+        answer = spectral_contraction(rest, &a->scale, n, box->power, box->power, a->prec);
+    } else {
+        answer = spectral_contraction_sharp(rest, &a->scale, n, CHOICES_MAX_POWER, a->prec);
+    }
+    ++*next;
+    o = out_of_memory_or(answer.contracts);
+    if (o == OUTCOME_TRUE && n > 0)
+        note_radius(a, answer.radius, m);
+    if (o == OUTCOME_TRUE && !a->replay && !cover_list_add(blocks, one_frequency(m), answer.power))
+        o = OUTCOME_NO_MEMORY;
+    return o == OUTCOME_FAIL ? complain(a, one_frequency(m), answer.diverges) : o;
+}
+
+/* Block 0 without the eigenvalue 1 of the vector of ones. */
+static outcome prove_plain(analysis *a, size_t *next)
+{
+    block plain;
+    outcome o = analysis_make_block(&plain, a, 0, 0);
+    if (o == OUTCOME_TRUE) {
+        size_t size = (size_t)(plain.n - 1) * (size_t)(plain.n - 1);
+        number *rest = number_array_new(size);
+        o = OUTCOME_NO_MEMORY;
+        if (rest) {
+            matrix_deflate(rest, plain.entry, NULL, plain.n, 0, a->prec);
+            o = contract(a, rest, plain.n - 1, 0, next);
+            number_array_free(rest, size);
+        }
+    }
+    block_free(&plain);
+    return o;
+}
+
+/* The block of L without L. */
+static outcome prove_dominant(analysis *a, size_t *next)
+{
+    const eigenpair_choice *e = &a->choices->eigenpair;
+    int n = a->order - (e->complex_form ? 2 : 1);
+    number *rest = number_array_new((size_t)n * (size_t)n);
+    outcome o = OUTCOME_NO_MEMORY;
+    if (rest) {
+        (e->complex_form ? matrix_deflate_complex : matrix_deflate)(rest, a->matrix, a->box, a->order, e->pivot, a->prec);
+        o = contract(a, rest, n, a->choices->frequency, next);
+        number_array_free(rest, (size_t)n * (size_t)n);
+    }
+    return o;
+}
+
+static outcome from_status(analysis *a, block_status s, const diagnostic *d)
+{
+    switch (s) {
     case BLOCK_OK:
         return OUTCOME_TRUE;
     case BLOCK_OPPOSITE:
-        return findings_explain(f, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
     case BLOCK_NO_CENTRE_RULE:
-        return findings_explain(f, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+        return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
     case BLOCK_BAD_INPUT:
-        return findings_explain(f, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
+        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
     default:
         return OUTCOME_NO_MEMORY;
     }
 }
 
-/* Proves L and its eigenvector, 0 < L < 1, and sets scale. */
-static outcome prove_eigenpair(spectrum_run *r)
+outcome analysis_make_block(block *b, analysis *a, long first, long last)
 {
-    analysis *a = r->a;
-    int n = a->dominant.n;
-    const number *eigenvalue;
-    number one, lower;
-    outcome o = OUTCOME_TRUE;
-    truth found = TRUTH_TRUE;
-    a->box = number_array_new((size_t)n + 1);
-    if (!a->box)
+    diagnostic d;
+    frequencies m = {first, last};
+    return from_status(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
+}
+
+/* The boxes of the choices from *next on that begin in the range. */
+static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, size_t *next)
+{
+    for (; *next < blocks->count && blocks->box[*next].m.first <= m.last; ++*next)
+        if (!cover_list_add(z, blocks->box[*next].m, blocks->box[*next].power))
+            return false;
+    return true;
+}
+
+/* All blocks of a range, in which the one of L is not, as lib/cover.h has it. */
+static outcome prove_range(analysis *a, frequencies m, size_t *next)
+{
+    static const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true};
+    cover_list *blocks = &a->choices->blocks, boxes;
+    cover_answer answer;
+    diagnostic d;
+    outcome o;
+    if (m.first > m.last)
+        return OUTCOME_TRUE;
+    cover_list_init(&boxes);
+    if (a->replay && !take_boxes(&boxes, blocks, m, next)) {
+        cover_list_clear(&boxes);
         return OUTCOME_NO_MEMORY;
-    if (!a->replay)
-        found = eigenpair_choose(&a->choices->eigenpair, a->dominant.entry, n, a->choices->grid, a->prec);
-    else if (a->choices->eigenpair.n != n)
-        return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", n);
-    if (found == TRUTH_TRUE)
-        found = eigenpair_prove(a->box, &a->choices->eigenpair, a->dominant.entry, a->prec);
-    if (found != TRUTH_TRUE)
-        return found == TRUTH_FALSE ? OUTCOME_NO_MEMORY
-                                    : findings_explain(a->findings, OUTCOME_FAIL, "no box round an approximate dominant eigenpair of block 1 could be proved");
-    eigenvalue = &a->box[n];
-    number_init(&one);
-    number_init(&lower);
-    number_one(&one);
-    if (number_is_positive(eigenvalue) != TRUTH_TRUE || number_less(eigenvalue, &one) != TRUTH_TRUE)
-        o = findings_explain(a->findings, OUTCOME_FAIL, "the dominant eigenvalue of block 1 could not be shown to lie between 0 and 1");
-    number_lower(&lower, eigenvalue, a->prec);
-    number_inv(&r->scale, &lower, a->prec);
-    number_upper(&r->scale, &r->scale, a->prec);
-    a->findings->eigenvalue_lower = number_lower_bound(eigenvalue);
-    a->findings->eigenvalue_upper = number_upper_bound(eigenvalue);
-    number_clear(&one);
-    number_clear(&lower);
-    return o;
-}
-
-/* Is every eigenvalue of the matrix smaller than the candidate in modulus? */
-static bool is_bound(const number *rest, int n, double candidate, long prec)
-{
-    bool proved;
-    number scale;
-    number_init(&scale);
-    number_set_double(&scale, candidate, prec);
-    number_inv(&scale, &scale, prec);
-    number_upper(&scale, &scale, prec);
-    proved = spectral_contraction(rest, &scale, n, 0, CHOICES_MAX_POWER, prec).contracts == TRUTH_TRUE;
-    number_clear(&scale);
-    return proved;
-}
-
-/* Raises the bound for the blocks examined so far, where needed, to one that also holds for this matrix: a little
-   more than its approximate spectral radius.  Multiple eigenvalues need more than a little. */
-static void bound_runner_up(spectrum_run *r, const number *rest, int n, long m)
-{
-    static const double slack[] = {0x1p-20, 0x1p-14, 0x1p-8, 0x1p-4};
-    findings *f = r->a->findings;
-    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), radius = NAN;
-    for (int i = 0; approximation && i < n * n; i++)
-        approximation[i] = number_mid_approx(&rest[i]);
-    if (approximation)
-        radius = spectral_radius_approx(approximation, n);
-    free(approximation);
-    if (n == 0 || (radius * (1 + slack[0]) <= f->runner_up && is_bound(rest, n, f->runner_up, r->a->prec)))
-        return;
-    f->runner_up_block = m;
-    for (size_t i = 0; i < sizeof slack / sizeof *slack; i++) {
-        double candidate = fmax(radius * (1 + slack[i]), f->runner_up);
-        if (candidate < f->eigenvalue_lower && is_bound(rest, n, candidate, r->a->prec)) {
-            f->runner_up = candidate;
-            return;
-        }
     }
-    f->runner_up = f->eigenvalue_upper; /* it is smaller than L, and that is all */
-}
-
-static outcome prove_rest(spectrum_run *r, const number *rest, int n, long m)
-{
-    analysis *a = r->a;
-    int *power = &a->choices->power[m];
-    spectral_answer answer = a->replay ? spectral_contraction(rest, &r->scale, n, *power, *power, a->prec)
-                                       : spectral_contraction(rest, &r->scale, n, 0, CHOICES_MAX_POWER, a->prec);
-    if (answer.contracts == TRUTH_FALSE)
-        return OUTCOME_NO_MEMORY;
-    if (answer.contracts == TRUTH_UNKNOWN)
-        return findings_explain(a->findings, answer.diverges ? OUTCOME_FALSE : OUTCOME_FAIL,
-                                "block %ld: its eigenvalues%s could not be shown to be smaller than that of block 1%s", m,
-                                m == 0 ? " other than 1" : m == 1 ? " other than the dominant one" : "",
-                                answer.diverges ? "; one of them seems to be at least as large" : "");
-    *power = answer.power;
-    if (!a->replay)
-        bound_runner_up(r, rest, n, m);
-    return OUTCOME_TRUE;
-}
-
-/* All eigenvalues of block m other than 1 (m = 0) and L (m = 1) are smaller than L. */
-static outcome prove_block(spectrum_run *r, long m)
-{
-    analysis *a = r->a;
-    block made, *b = m == 1 ? &a->dominant : &made;
-    number *rest = NULL;
-    outcome o = m == 1 ? OUTCOME_TRUE : make_block(&made, r, m);
-    if (o == OUTCOME_TRUE && m <= 1) {
-        size_t size = (size_t)(b->n - 1) * (size_t)(b->n - 1);
-        rest = number_array_new(size);
-        if (rest) {
-            matrix_deflate(rest, b->entry, m ? a->box : NULL, b->n, m ? a->choices->eigenpair.pivot : 0, a->prec);
-            o = prove_rest(r, rest, b->n - 1, m);
-            number_array_free(rest, size);
-        } else {
+    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
+    o = from_status(a, answer.status, &d);
+    if (o == OUTCOME_TRUE && !answer.proved)
+        o = complain(a, answer.open, answer.diverges);
+    if (o == OUTCOME_TRUE)
+        note_radius(a, answer.radius, answer.largest);
+    for (size_t i = 0; o == OUTCOME_TRUE && !a->replay && i < boxes.count; i++, ++*next)
+        if (!cover_list_add(blocks, boxes.box[i].m, boxes.box[i].power))
             o = OUTCOME_NO_MEMORY;
-        }
-    } else if (o == OUTCOME_TRUE) {
-        o = prove_rest(r, b->entry, b->n, m);
-    }
-    if (m != 1)
-        block_free(&made);
+    cover_list_clear(&boxes);
     return o;
+}
+
+static bool is_within_limits(const cover_list *blocks)
+{
+    long total = 0;
+    for (size_t i = 0; i < blocks->count; i++)
+        total += blocks->box[i].power;
+    return total <= CHOICES_MAX_TOTAL_POWER && blocks->count <= CHOICES_MAX_BLOCKS;
 }
 
 outcome test_spectrum(analysis *a)
 {
-    spectrum_run r;
-    outcome o;
-    long total = 0;
-    a->findings->test = "spectrum";
-    a->findings->runner_up = 0;
-    r.a = a;
-    number_init(&r.scale);
-    o = make_block(&a->dominant, &r, 1);
-    if (o == OUTCOME_TRUE)
-        o = prove_eigenpair(&r);
-    for (long m = 0; o == OUTCOME_TRUE && m <= a->choices->valence / 2; m++) {
-        o = prove_block(&r, m);
-        total += a->choices->power[m];
+    cover_list *blocks = &a->choices->blocks;
+    long f = a->choices->frequency, half = a->choices->valence / 2;
+    size_t next = 0;
+    outcome o = OUTCOME_TRUE;
+    if (!a->replay) {
+        blocks->count = 0;
+        a->findings->runner_up = 0;
+        a->findings->runner_up_block = 0;
     }
-    if (o == OUTCOME_TRUE && total > CHOICES_MAX_TOTAL_POWER)
-        o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers with a sum beyond the limit of certificates (%d)", CHOICES_MAX_TOTAL_POWER);
-    number_clear(&r.scale);
+    if (f > 0)
+        o = prove_plain(a, &next);
+    if (o == OUTCOME_TRUE)
+        o = prove_range(a, (frequencies){1, f - 1}, &next);
+    if (o == OUTCOME_TRUE)
+        o = prove_dominant(a, &next);
+    if (o == OUTCOME_TRUE)
+        o = prove_range(a, (frequencies){f + 1, half}, &next);
+    if (o == OUTCOME_TRUE && next != blocks->count)
+        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", half);
+    if (o == OUTCOME_TRUE && !is_within_limits(blocks))
+        o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers or blocks beyond the limits of certificates (%d, %d)",
+                             CHOICES_MAX_TOTAL_POWER, CHOICES_MAX_BLOCKS);
+    a->plan->scale_upper = number_upper_bound(&a->scale);
+    if (!a->replay)
+        findings_last(a->findings)->bound = a->findings->runner_up;
     return o;
 }

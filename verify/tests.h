@@ -1,38 +1,60 @@
 /* tests.h: the tests of one valence, one signature each.  Compiled once per number system.
 
-   They run in this order; each needs what the ones before it have proved and left in the analysis. */
+   They run in this order; each needs what the ones before it have proved and left in the analysis.  A test returns how
+   it ends, puts its witness into the choices and its figures into the last attempt of the findings. */
 #ifndef VERIFY_TESTS_H
 #define VERIFY_TESTS_H
 
 #include "adaptive.h"
 #include "analysis.h"
+#include "uniform_net.h"
 
+#define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
-#define test_characteristic_net NUMBER_NAME(test_characteristic_net)
 #define test_regularity NUMBER_NAME(test_regularity)
 #define test_injectivity NUMBER_NAME(test_injectivity)
+#define analysis_make_block NUMBER_NAME(analysis_make_block)
+#define analysis_make_net NUMBER_NAME(analysis_make_net)
+#define analysis_subdivide NUMBER_NAME(analysis_subdivide)
+#define analysis_uniform NUMBER_NAME(analysis_uniform)
 
 typedef struct {
-    const problem *problem;
+    analysis_plan *plan;
     choices *choices;
     findings *findings;
     bool replay;
-    int max_level;
     long prec;
     scheme_numbers numbers;
     mask_numbers mask[RING_NETS];
     block dominant;    /* B(w_1) */
-    number *box;     /* its eigenpair: n + 1 numbers, after test_spectrum */
-    sector_net net;  /* of the characteristic map, after test_characteristic_net */
+    number *matrix;    /* as a real matrix, order x order */
+    int order;
+    number *box;       /* its eigenpair, after test_eigenpair: order numbers, then L (complex form: two) */
+    number scale;      /* thin, >= 1/|L|, after test_eigenpair */
+    sector_net net;    /* of the characteristic map, after analysis_make_net */
+    bool net_made;
+    uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
-/* 1 and L are simple, L is real, 0 < L < 1, and every other eigenvalue of every block is smaller than L. */
+/* L is a simple eigenvalue of block 1, 0 < |L| < 1. */
+outcome test_eigenpair(analysis *a);
+/* 1 is simple, and every eigenvalue of every block other than 1 and L is smaller than L in modulus. */
 outcome test_spectrum(analysis *a);
-/* Not a test but a construction: the control net of the characteristic map. */
-outcome test_characteristic_net(analysis *a);
 /* The Jacobian of the characteristic map is positive on the ring. */
 outcome test_regularity(analysis *a);
 /* The image of one sector's outer curve lies in an open half-plane with 0 on its border: no zero, and winding 1. */
 outcome test_injectivity(analysis *a);
+
+/* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
+outcome analysis_make_block(block *b, analysis *a, long first, long last);
+/* The control net of the characteristic map, if it is not made yet. */
+outcome analysis_make_net(analysis *a);
+/* Subdivides elements as the task says, with the nets of which[]; fills in the parts of the task that are the same for
+   all tests, and the figures of the attempt. */
+outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count);
+
+/* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
+   OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */
+outcome analysis_uniform(analysis *a);
 
 #endif

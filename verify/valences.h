@@ -6,13 +6,25 @@
 
 #include <stddef.h>
 
+/* A list is examined one by one, up to so many of them. */
+#define VALENCES_MAX 100000
+#define VALENCES_MAX_RANGES 1000
+
 typedef struct {
-    long valence[CHOICES_MAX_VALENCE]; /* increasing, each once */
-    size_t count;
+    long first, last;
+} valence_range;
+
+typedef struct {
+    valence_range range[VALENCES_MAX_RANGES]; /* increasing, with gaps between them */
+    int ranges;
+    long count;
 } valences;
 
 /* Reads a list of valences between CHOICES_MIN_VALENCE and CHOICES_MAX_VALENCE.  NULL: well; else what is wrong (a
    sentence; static storage), and z is empty.  Allocates nothing. */
 const char *valences_read(valences *z, const char *text);
+
+/* The valence number i, 0 <= i < count. */
+long valences_get(const valences *z, long i);
 
 #endif

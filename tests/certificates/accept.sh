@@ -60,7 +60,7 @@ each() { # TABLE COMMAND...
   refuse loop-4 loop 3 c1 1 'valence: expected 3'
   refuse loop-4 loop 40 c1 1 'valence: expected 40'
   refuse loop-4 wide 4 c1 1 'scheme: expected the text of the given scheme'
-  refuse loop-4 loop 4 not-c1 2 'cannot check: --claim: not-c1 is not in version 0'
+  refuse loop-4 loop 4 not-c1 2 'cannot check: --claim: not-c1 is not in version 1'
   sed -e '/^#/d' -e 's/ .*//' "$here/accept/table" "$here/accept/harmless" | LC_ALL=C sort >in-table
   (cd "$here/accept" && ls -- *.cert) | sed 's/\.cert$//' | LC_ALL=C sort >on-disk
   if cmp -s in-table on-disk; then

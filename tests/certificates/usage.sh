@@ -46,7 +46,7 @@ arguments() {
   expect unknown-option 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 --quiet "$good"
   expect parameter 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 --set w=1 "$good"
   expect value-missing 2 "$cannot" "$good" --valence 3 --claim c1 --scheme
-  for valence in '' 03 +3 -3 3.0 0x3 3,4 3..5 ' 3' '3 ' all inf 2 0 4097 4294967299 18446744073709551619 99999999999999999999999; do
+  for valence in '' 03 +3 -3 3.0 0x3 3,4 3..5 ' 3' '3 ' all inf 2 0 3, 5..3 1000000001 4294967299 18446744073709551619 99999999999999999999999; do
     expect "valence-'$valence'" 2 "${cannot}" --scheme "$loop" --valence "$valence" --claim c1 "$good"
   done
   for claim in '' C1 c1x c not-c1 c2; do
@@ -151,7 +151,8 @@ bad_schemes() {
   with 1 'scheme' | bad no-name 1: 'expected a name'
   with 1 "scheme l$(printf '%064d' 0)" | bad long-name 1: 'expected a name'
   with 1 'scheme loop two' | bad two-names 1:13 'expected the end of the line'
-  with 2 'mesh quad' | bad quads 2:6 'triangle'
+  with 2 'mesh quad' | bad quads 5: 'sum to 1 in each class'
+  with 2 'mesh pentagon' | bad pentagons 2:6 'triangle'
   with 3 'dilation 3' | bad ternary 3:10 'expected `2`'
   with 3 'dilation 22' | bad dilation-22 3:11 'expected the end of the line'
   with 4 'vertices boundary' | bad boundary 4:10 'interior'
@@ -174,7 +175,10 @@ bad_schemes() {
   with 13 'all (1,0) rest rest' | bad rest-and-more 13:16 'expected the end of the line'
   with 14 'end end' | bad end-and-more 14:5 'expected the end of the line'
   with 14 "end
-rule centre" | bad more-after-the-rule 15:1 'expected the end of the line'
+rule centre
+centre 1
+all (1,0) rest
+end" | bad more-after-the-rule 15:1 'expected the end of the line'
   with 12 'centre 1/(k-3)' | bad division-by-zero 12: 'division by zero'
   with 12 'centre 1/(cos(2*pi/7)-cos(2*pi/7))' | bad division-by-enclosure-of-zero 12: 'division by an enclosure of zero'
   with 12 'centre (k-3)^-1' | bad inverse-of-zero 12: 'division by zero'

@@ -101,7 +101,8 @@ s/^claim/more\
 &/'
 lie claim 1 ':17: claim' 's/^claim c1/claim not-c1/'
 lie valence 1 ':18: valence' 's/^valence 7/valence 6/'
-lie version 2 'version 1' 's/^smoothcert-certificate 0/smoothcert-certificate 1/'
+lie version 2 'version 2' 's/^smoothcert-certificate 0/smoothcert-certificate 2/'
+lie version-1 1 'expected .stability' 's/^smoothcert-certificate 0/smoothcert-certificate 1/'
 answer other-valence 1 ':18: valence' --scheme "$scheme" --valence 8 --claim c1 "$good"
 answer other-scheme 1 'scheme' --scheme "$here/wide-cos.scheme" --valence 7 --claim c1 "$good"
 
@@ -218,7 +219,7 @@ language mask-real 2 'exactly rational' 's,^  (0\,0)  5/8,  (0\,0)  cos(pi/5),'
 language rest-none 2 'rest' 's/rest/1/'
 language rest-twice 2 'rest' 's/^  centre .*/  centre rest/'
 language zero 2 'division by zero' 's,^  centre .*,  centre 1/(2-2),'
-language mesh 2 'triangle' 's/^mesh triangle/mesh quad/'
+language mesh 2 'triangle' 's/^mesh triangle/mesh hexagon/'
 language dilation 2 'dilation' 's/^dilation 2/dilation 3/'
 language vertices 2 'interior' 's/^vertices interior/vertices boundary/'
 language name 2 'name' 's/^scheme loop/scheme Loop/'

@@ -5,14 +5,19 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "../../verify/check/answer.c"
+#include "../../verify/check/scratch.c"
 #include "../../verify/check/integer.c"
 #include "../../verify/check/rational.c"
 #include "../../verify/check/grid.c"
 #include "../../verify/check/trig.c"
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
+#include "../../verify/check/value.c"
+#include "../../verify/check/evaluate.c"
 #include "../../verify/check/mask.c"
+#include "../../verify/check/symmetry.c"
 #include "../../verify/check/scheme.c"
+#include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
 #include "../../verify/check/spectrum.c"
 
@@ -32,66 +37,45 @@ struct trial {
     int expected;                                  /* exit status */
 };
 
-static void thin(interval *out, int units)
+static interval thin(int units)
 {
-    integer value;
-
-    integer_set_small(&value, units);
-    integer_shift_left(&value, &value, G - 20);
-    interval_set_thin(out, &value);
+    return interval_thin(integer_shift_left(integer_from(units), G - 20));
 }
 
-/* round(num / den 2^32), to about the last place */
-static void inverse_entry(integer *out, int64_t num, int64_t den)
+/* num / den 2^32, to about the last place */
+static integer inverse_entry(int64_t num, int64_t den)
 {
-    integer_set_small(out, num * ((INT64_C(1) << 32) / den));
+    return integer_from(num * ((INT64_C(1) << 32) / den));
 }
 
 static void run(const struct trial *t)
 {
-    static interval matrix[4];
-    static integer eigenvector[2], inverse[4];
-    static int power[2];
-    static struct certificate c;
-    struct block block = { .g = G, .n = 2, .twist = { .m = 1 } };
-    struct eigenpair pair;
-    integer shift, one;
-    interval one_interval;
     int difference = t->l - t->mu;                 /* L - mu in units of 2^-20 */
+    interval matrix[4] = { thin(t->l), thin(0), grid_from(1, G), thin(t->mu) };
+    struct block_record record = { 1, 1, t->power, 1 };
+    integer eigenvector, inverse[4], one = integer_from(1);
+    struct certificate c = {
+        .file = "certificate", .real = true, .n = 2, .size = 2, .pivot = 1,
+        .eigenvector = &eigenvector, .inverse = inverse
+    };
+    struct eigenpair pair;
 
     if (difference == 0)                           /* no eigenvector: try any */
         difference = 1 << 18;
-    thin(&matrix[0], t->l);
-    thin(&matrix[1], 0);
-    grid_set_small(&one_interval, 1, G);
-    interval_set(&matrix[2], &one_interval);
-    thin(&matrix[3], t->mu);
-
-    c.file = "certificate";
-    c.n = 2;
-    c.pivot = 1;
-    c.eigenvector = eigenvector;
-    c.inverse = inverse;
-    c.power = power;
-    power[1] = t->power;
-    integer_set_small(&c.radius, t->radius);
-    integer_set_small(&shift, t->shift);
-    integer_add(&c.eigenvalue, &matrix[0].lo, &shift);
+    c.radius = integer_from(t->radius);
+    c.eigenvalue[0] = integer_add(matrix[0].lo, integer_from(t->shift));
+    c.eigenvalue[1] = integer_from(0);
 
     /* x = 1/(L - mu); G = (0, -1; mu - L, -x), Y = (-x/(mu - L), 1/(mu - L); -1, 0) */
-    integer_set_small(&one, 1);
-    integer_shift_left(&one, &one, G + 20);
-    integer_set_small(&shift, difference);
-    integer_divide_floor(&eigenvector[0], &one, &shift);
-    integer_mul(&inverse[0], &eigenvector[0], &eigenvector[0]);
-    integer_shift_floor(&inverse[0], &inverse[0], 2 * G - 32);
-    inverse_entry(&inverse[1], -(INT64_C(1) << 20), difference);
-    integer_set_small(&inverse[2], -(INT64_C(1) << 32));
-    integer_set_small(&inverse[3], 0);
+    eigenvector = integer_divide_floor(integer_shift_left(one, G + 20),
+                                       integer_from(difference));
+    inverse[0] = integer_shift_floor(integer_mul(eigenvector, eigenvector), 2 * G - 32);
+    inverse[1] = inverse_entry(-(INT64_C(1) << 20), difference);
+    inverse[2] = integer_from(-(INT64_C(1) << 32));
+    inverse[3] = integer_from(0);
 
-    spectrum_prove_eigenpair(&pair, &block, matrix, &c);
-    spectrum_prove_rest(&block, matrix, &pair, &c);
-    free(pair.unknowns);
+    pair = spectrum_prove_eigenpair(matrix, G, &c);
+    spectrum_prove_rest(matrix, 2, G, &pair, &record, &c);
 }
 
 static int status_of(const struct trial *t)

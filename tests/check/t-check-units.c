@@ -7,6 +7,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "../../verify/check/answer.c"
+#include "../../verify/check/scratch.c"
 #include "../../verify/check/integer.c"
 #include "../../verify/check/rational.c"
 #include "../../verify/check/grid.c"
@@ -14,9 +15,12 @@
 #include "../../verify/check/sha256.c"
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
+#include "../../verify/check/value.c"
+#include "../../verify/check/evaluate.c"
 #include "../../verify/check/mask.c"
 #include "../../verify/check/regular.c"
-#include "../../verify/check/window.c"
+#include "../../verify/check/stability.c"
+#include "../../verify/check/element.c"
 
 #include <stdio.h>
 #include <sys/wait.h>
@@ -95,29 +99,30 @@ static uint32_t random_limb(void)
     return choice % 2 == 0 ? special[choice / 2 % 8] : random_word();
 }
 
-static void random_integer(integer *out, int max_length)
+static integer random_integer(int max_length)
 {
+    uint32_t limb[16];
     int length = (int)(random_word() % (uint32_t)(max_length + 1));
 
     for (int i = 0; i < length; i++)
-        out->limb[i] = random_limb();
-    set_limbs(out, random_word() % 2 == 0 ? 1 : -1, out->limb, length);
+        limb[i] = random_limb();
+    return make(random_word() % 2 == 0 ? 1 : -1, limb, length);
 }
 
-static bool equal(const integer *a, const integer *b)
+static bool equal(integer a, integer b)
 {
     return integer_compare(a, b) == 0;
 }
 
 /* The invariants of integer.h */
-static bool is_valid(const integer *a)
+static bool is_valid(integer a)
 {
-    return a->length >= 0 && a->length <= INTEGER_LIMBS &&
-           (a->sign == 0) == (a->length == 0) && a->sign >= -1 && a->sign <= 1 &&
-           (a->length == 0 || a->limb[a->length - 1] != 0);
+    return a.length >= 0 && a.length <= INTEGER_LIMBS &&
+           (a.sign == 0) == (a.length == 0) && a.sign >= -1 && a.sign <= 1 &&
+           (a.length == 0 || limbs(&a)[a.length - 1] != 0);
 }
 
-static int64_t small(const integer *a)
+static int64_t small(integer a)
 {
     int64_t value = INT64_MIN;
 
@@ -125,10 +130,13 @@ static int64_t small(const integer *a)
     return value;
 }
 
-static void from_hex(integer *out, const char *text)
+static integer from_hex(const char *text)
 {
-    if (!integer_read_hex(out, text, strlen(text)))
+    integer out = integer_from(0);
+
+    if (!integer_read_hex(&out, text, strlen(text)))
         EXPECT(text == NULL);
+    return out;
 }
 
 /* Integers
@@ -148,52 +156,48 @@ static void test_integer_small(void)
         for (int b = -40; b <= 40; b++) {
             integer x, y, z;
 
-            integer_set_small(&x, a);
-            integer_set_small(&y, b);
-            integer_add(&z, &x, &y);
-            EXPECT(is_valid(&z) && small(&z) == a + b);
-            integer_sub(&z, &x, &y);
-            EXPECT(is_valid(&z) && small(&z) == a - b);
-            integer_mul(&z, &x, &y);
-            EXPECT(is_valid(&z) && small(&z) == a * b);
-            EXPECT(integer_compare(&x, &y) == (a > b) - (a < b));
+            x = integer_from(a);
+            y = integer_from(b);
+            z = integer_add(x, y);
+            EXPECT(is_valid(z) && small(z) == a + b);
+            z = integer_sub(x, y);
+            EXPECT(is_valid(z) && small(z) == a - b);
+            z = integer_mul(x, y);
+            EXPECT(is_valid(z) && small(z) == a * b);
+            EXPECT(integer_compare(x, y) == (a > b) - (a < b));
             if (b != 0) {
-                integer_divide_floor(&z, &x, &y);
-                EXPECT(is_valid(&z) && small(&z) == floor_of(a, b));
-                integer_divide_ceil(&z, &x, &y);
-                EXPECT(is_valid(&z) && small(&z) == -floor_of(-a, b));
+                z = integer_divide_floor(x, y);
+                EXPECT(is_valid(z) && small(z) == floor_of(a, b));
+                z = integer_divide_ceil(x, y);
+                EXPECT(is_valid(z) && small(z) == -floor_of(-a, b));
             }
         }
         for (int bits = 0; bits < 8; bits++) {
             integer x, z;
 
-            integer_set_small(&x, a);
-            integer_shift_left(&z, &x, bits);
-            EXPECT(small(&z) == a * (1 << bits));
-            integer_shift_floor(&z, &x, bits);
-            EXPECT(is_valid(&z) && small(&z) == floor_of(a, 1 << bits));
-            integer_shift_ceil(&z, &x, bits);
-            EXPECT(is_valid(&z) && small(&z) == -floor_of(-a, 1 << bits));
+            x = integer_from(a);
+            z = integer_shift_left(x, bits);
+            EXPECT(small(z) == a * (1 << bits));
+            z = integer_shift_floor(x, bits);
+            EXPECT(is_valid(z) && small(z) == floor_of(a, 1 << bits));
+            z = integer_shift_ceil(x, bits);
+            EXPECT(is_valid(z) && small(z) == -floor_of(-a, 1 << bits));
         }
     }
     end();
 }
 
 /* a b, bit by bit of b */
-static void slow_product(integer *out, const integer *a, const integer *b)
+static integer slow_product(integer a, integer b)
 {
-    integer sum, term;
+    integer sum = integer_from(0);
 
-    integer_set_small(&sum, 0);
     for (long bit = integer_bits(b) - 1; bit >= 0; bit--) {
-        integer_add(&sum, &sum, &sum);
-        if ((b->limb[bit / 32] >> (bit % 32) & 1u) != 0)
-            integer_add(&sum, &sum, a);
+        sum = integer_add(sum, sum);
+        if ((limbs(&b)[bit / 32] >> (bit % 32) & 1u) != 0)
+            sum = integer_add(sum, a);
     }
-    integer_set(&term, &sum);
-    if (b->sign < 0)
-        integer_negate(&term, &term);
-    integer_set(out, &term);
+    return b.sign < 0 ? integer_negate(sum) : sum;
 }
 
 static void test_integer_large(void)
@@ -202,33 +206,33 @@ static void test_integer_large(void)
     for (int i = 0; i < 20000; i++) {
         integer a, b, c, d, e;
 
-        random_integer(&a, 9);
-        random_integer(&b, 5);
-        integer_add(&c, &a, &b);
-        EXPECT(is_valid(&c));
-        integer_sub(&d, &c, &b);
-        EXPECT(is_valid(&d) && equal(&d, &a));
-        integer_sub(&d, &a, &c);
-        integer_negate(&d, &d);
-        EXPECT(equal(&d, &b));
+        a = random_integer(9);
+        b = random_integer(5);
+        c = integer_add(a, b);
+        EXPECT(is_valid(c));
+        d = integer_sub(c, b);
+        EXPECT(is_valid(d) && equal(d, a));
+        d = integer_sub(a, c);
+        d = integer_negate(d);
+        EXPECT(equal(d, b));
 
-        integer_mul(&c, &a, &b);
-        slow_product(&d, &a, &b);
-        EXPECT(is_valid(&c) && equal(&c, &d));
+        c = integer_mul(a, b);
+        d = slow_product(a, b);
+        EXPECT(is_valid(c) && equal(c, d));
         if (b.sign != 0) {
-            integer_divide_floor(&d, &c, &b);      /* exact */
-            EXPECT(equal(&d, &a));
+            d = integer_divide_floor(c, b);      /* exact */
+            EXPECT(equal(d, a));
 
             /* floor: 0 <= a - q b < |b| up to the sign of b; ceil alike */
-            integer_divide_floor(&d, &a, &b);
-            slow_product(&e, &d, &b);
-            integer_sub(&e, &a, &e);
-            EXPECT(is_valid(&d) && e.sign * b.sign >= 0);
+            d = integer_divide_floor(a, b);
+            e = slow_product(d, b);
+            e = integer_sub(a, e);
+            EXPECT(is_valid(d) && e.sign * b.sign >= 0);
             EXPECT(compare_magnitudes(&e, &b) < 0);
-            integer_divide_ceil(&d, &a, &b);
-            slow_product(&e, &d, &b);
-            integer_sub(&e, &e, &a);
-            EXPECT(is_valid(&d) && e.sign * b.sign >= 0);
+            d = integer_divide_ceil(a, b);
+            e = slow_product(d, b);
+            e = integer_sub(e, a);
+            EXPECT(is_valid(d) && e.sign * b.sign >= 0);
             EXPECT(compare_magnitudes(&e, &b) < 0);
         }
     }
@@ -244,17 +248,18 @@ static void test_integer_division(void)
     begin("integer-division");
     for (int i = 0; i < 5 * 5 * 5 * 5; i++) {
         for (int j = 1; j < 5 * 5 * 5; j++) {
+            uint32_t x[4], y[3];
             integer a, b, q, r;
 
             for (int n = 0, rest = i; n < 4; n++, rest /= 5)
-                a.limb[n] = limb[rest % 5];
+                x[n] = limb[rest % 5];
             for (int n = 0, rest = j; n < 3; n++, rest /= 5)
-                b.limb[n] = limb[rest % 5];
-            set_limbs(&a, 1, a.limb, 4);
-            set_limbs(&b, 1, b.limb, 3);
-            integer_divide_floor(&q, &a, &b);
-            slow_product(&r, &q, &b);
-            integer_sub(&r, &a, &r);
+                y[n] = limb[rest % 5];
+            a = make(1, x, 4);
+            b = make(1, y, 3);
+            q = integer_divide_floor(a, b);
+            r = slow_product(q, b);
+            r = integer_sub(a, r);
             EXPECT(r.sign >= 0 && compare_magnitudes(&r, &b) < 0);
         }
     }
@@ -268,64 +273,57 @@ static void test_integer_shifts(void)
         integer a, b, power, one;
         long bits = (long)(random_word() % 200);
 
-        random_integer(&a, 8);
-        integer_set_small(&one, 1);
-        integer_shift_left(&power, &one, bits);
-        EXPECT(integer_bits(&power) == bits + 1);
-        integer_shift_left(&b, &a, bits);
-        slow_product(&power, &a, &power);
-        EXPECT(is_valid(&b) && equal(&b, &power));
-        integer_shift_left(&power, &one, bits);
-        integer_shift_floor(&b, &a, bits);
-        integer_divide_floor(&power, &a, &power);
-        EXPECT(is_valid(&b) && equal(&b, &power));
-        integer_shift_left(&power, &one, bits);
-        integer_shift_ceil(&b, &a, bits);
-        integer_divide_ceil(&power, &a, &power);
-        EXPECT(is_valid(&b) && equal(&b, &power));
+        a = random_integer(8);
+        one = integer_from(1);
+        power = integer_shift_left(one, bits);
+        EXPECT(integer_bits(power) == bits + 1);
+        b = integer_shift_left(a, bits);
+        power = slow_product(a, power);
+        EXPECT(is_valid(b) && equal(b, power));
+        power = integer_shift_left(one, bits);
+        b = integer_shift_floor(a, bits);
+        power = integer_divide_floor(a, power);
+        EXPECT(is_valid(b) && equal(b, power));
+        power = integer_shift_left(one, bits);
+        b = integer_shift_ceil(a, bits);
+        power = integer_divide_ceil(a, power);
+        EXPECT(is_valid(b) && equal(b, power));
     }
     end();
 }
 
-/* Outputs may be inputs. */
-static void test_integer_aliasing(void)
+static void test_integer_root(void)
 {
-    static void (*const binary[])(integer *, const integer *, const integer *) = {
-        integer_add, integer_sub, integer_mul, integer_divide_floor,
-        integer_divide_ceil, integer_gcd
-    };
-    static void (*const shift[])(integer *, const integer *, long) = {
-        integer_shift_left, integer_shift_floor, integer_shift_ceil
-    };
+    begin("integer-root");
+    for (int i = 0; i < 3000; i++) {
+        integer a = i < 200 ? integer_from(i) : integer_absolute(random_integer(9));
+        integer root = integer_root(a), above = integer_add(root, integer_from(1));
 
-    begin("integer-aliasing");
-    for (int i = 0; i < 6000; i++) {
-        integer a, b, c, d;
-
-        random_integer(&a, 6);
-        random_integer(&b, 6);
-        if (b.sign == 0)
-            integer_set_small(&b, 7);
-        for (size_t f = 0; f < sizeof binary / sizeof binary[0]; f++) {
-            binary[f](&c, &a, &b);
-            integer_set(&d, &a);
-            binary[f](&d, &d, &b);
-            EXPECT(equal(&c, &d));
-            integer_set(&d, &b);
-            binary[f](&d, &a, &d);
-            EXPECT(equal(&c, &d));
-            binary[f](&c, &b, &b);
-            integer_set(&d, &b);
-            binary[f](&d, &d, &d);
-            EXPECT(equal(&c, &d));
-        }
-        for (size_t f = 0; f < sizeof shift / sizeof shift[0]; f++) {
-            shift[f](&c, &a, i % 100);
-            integer_set(&d, &a);
-            shift[f](&d, &d, i % 100);
-            EXPECT(equal(&c, &d));
-        }
+        EXPECT(is_valid(root) && integer_compare(slow_product(root, root), a) <= 0);
+        EXPECT(integer_compare(slow_product(above, above), a) > 0);
     }
+    end();
+}
+
+/* What is kept survives a release, what is not is overwritten. */
+static void test_integer_keep(void)
+{
+    struct mark mark = scratch_mark();
+    integer kept[3], same[3], lost, before;
+
+    begin("integer-keep");
+    for (int i = 0; i < 3; i++) {
+        kept[i] = integer_shift_left(integer_from(7 + i), 300 * i);
+        same[i] = kept[i];
+    }
+    lost = before = integer_shift_left(integer_from(5), 1000);
+    integer_keep(mark, kept, 3);
+    for (int i = 0; i < 3; i++) {
+        same[i] = integer_shift_floor(kept[i], 300 * i);
+        EXPECT(is_valid(kept[i]) && small(same[i]) == 7 + i);
+    }
+    EXPECT(small(integer_shift_floor(lost, 1000)) != 5);
+    (void)before;
     end();
 }
 
@@ -340,10 +338,10 @@ static void test_integer_gcd(void)
             for (int d = 1; d <= 60; d++)
                 if (a % d == 0 && b % d == 0 && (a != 0 || b != 0))
                     gcd = d;
-            integer_set_small(&x, a);
-            integer_set_small(&y, b);
-            integer_gcd(&z, &x, &y);
-            EXPECT(small(&z) == gcd);
+            x = integer_from(a);
+            y = integer_from(b);
+            z = integer_gcd(x, y);
+            EXPECT(small(z) == gcd);
         }
     }
     end();
@@ -360,10 +358,10 @@ static void test_integer_hex(void)
     begin("integer-hex");
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         EXPECT(!integer_read_hex(&a, bad[i], strlen(bad[i])));
-    EXPECT(integer_read_hex(&a, "0", 1) && a.sign == 0 && is_valid(&a));
-    EXPECT(integer_read_hex(&a, "-ff", 3) && small(&a) == -255);
+    EXPECT(integer_read_hex(&a, "0", 1) && a.sign == 0 && is_valid(a));
+    EXPECT(integer_read_hex(&a, "-ff", 3) && small(a) == -255);
     EXPECT(integer_read_hex(&a, "123456789abcdef", 15) &&
-           small(&a) == INT64_C(0x123456789abcdef));
+           small(a) == INT64_C(0x123456789abcdef));
     EXPECT(integer_read_hex(&a, "100000000", 9) && a.length == 2);
     end();
 }
@@ -373,17 +371,17 @@ static void overflow(const char *how)
 {
     integer a, b;
 
-    integer_set_small(&a, 1);
-    integer_shift_left(&a, &a, 32L * INTEGER_LIMBS - 1);
-    integer_set_small(&b, 3);
+    a = integer_from(1);
+    a = integer_shift_left(a, 32L * INTEGER_LIMBS - 1);
+    b = integer_from(3);
     if (how[0] == '+')
-        integer_add(&a, &a, &a);
+        a = integer_add(a, a);
     else if (how[0] == '*')
-        integer_mul(&a, &a, &b);
+        a = integer_mul(a, b);
     else if (how[0] == '<')
-        integer_shift_left(&a, &a, 1);
+        a = integer_shift_left(a, 1);
     else if (how[0] == '/')
-        integer_divide_floor(&b, &a, &b);
+        b = integer_divide_floor(a, b);
 }
 
 static void test_integer_capacity(void)
@@ -408,20 +406,20 @@ static void test_rational(void)
         int64_t c = (int64_t)(random_word() % 41) - 20, d = random_word() % 20 + 1;
         rational x, y, z;
 
-        rational_set_small(&x, a, b);
-        rational_set_small(&y, -c, -d);
-        rational_add(&z, &x, &y);
-        EXPECT(rational_equals(&z, a * d + b * c, b * d));
-        rational_sub(&z, &x, &y);
-        EXPECT(rational_equals(&z, a * d - b * c, b * d));
-        rational_mul(&z, &x, &y);
-        EXPECT(rational_equals(&z, a * c, b * d));
+        x = rational_from(a, b);
+        y = rational_from(-c, -d);
+        z = rational_add(x, y);
+        EXPECT(rational_equals(z, a * d + b * c, b * d));
+        z = rational_sub(x, y);
+        EXPECT(rational_equals(z, a * d - b * c, b * d));
+        z = rational_mul(x, y);
+        EXPECT(rational_equals(z, a * c, b * d));
         if (c != 0) {
-            rational_divide(&z, &x, &y);
-            EXPECT(rational_equals(&z, a * d, b * c));
+            z = rational_divide(x, y);
+            EXPECT(rational_equals(z, a * d, b * c));
             EXPECT(z.den.sign > 0);
         }
-        EXPECT(rational_compare(&x, &y) == (a * d > b * c) - (a * d < b * c));
+        EXPECT(rational_compare(x, y) == (a * d > b * c) - (a * d < b * c));
     }
     end();
 }
@@ -429,15 +427,14 @@ static void test_rational(void)
 /* Grid intervals
  * -------------- */
 
-static void set_interval(interval *out, int lo, int hi)
+static interval set_interval(int lo, int hi)
 {
-    integer_set_small(&out->lo, lo);
-    integer_set_small(&out->hi, hi);
+    return interval_of(integer_from(lo), integer_from(hi));
 }
 
-static bool is_interval(const interval *x, int64_t lo, int64_t hi)
+static bool is_interval(interval x, int64_t lo, int64_t hi)
 {
-    return small(&x->lo) == lo && small(&x->hi) == hi;
+    return small(x.lo) == lo && small(x.hi) == hi;
 }
 
 /* All intervals with ends in -5..5 on the grid g = 2, against the definition. */
@@ -454,8 +451,8 @@ static void test_grid_small(void)
                     int64_t lo = 0, hi = 0;
                     interval x, y, z;
 
-                    set_interval(&x, a, b);
-                    set_interval(&y, c, d);
+                    x = set_interval(a, b);
+                    y = set_interval(c, d);
                     for (int i = 0; i < 4; i++) {
                         int64_t product = x_end[i] * y_end[i];
 
@@ -464,16 +461,16 @@ static void test_grid_small(void)
                         if (i == 0 || -floor_of(-product, 4) > hi)
                             hi = -floor_of(-product, 4);
                     }
-                    grid_mul(&z, &x, &y, G);
-                    EXPECT(is_interval(&z, lo, hi));
-                    interval_set(&z, &x);
-                    grid_mul(&z, &z, &y, G);
-                    EXPECT(is_interval(&z, lo, hi));
-                    interval_set(&z, &y);
-                    grid_mul(&z, &x, &z, G);
-                    EXPECT(is_interval(&z, lo, hi));
+                    z = grid_mul(x, y, G);
+                    EXPECT(is_interval(z, lo, hi));
+                    z = x;
+                    z = grid_mul(z, y, G);
+                    EXPECT(is_interval(z, lo, hi));
+                    z = y;
+                    z = grid_mul(x, z, G);
+                    EXPECT(is_interval(z, lo, hi));
 
-                    EXPECT(interval_contains_zero(&y) == (c <= 0 && d >= 0));
+                    EXPECT(interval_contains_zero(y) == (c <= 0 && d >= 0));
                     if (c > 0 || d < 0) {
                         for (int i = 0; i < 4; i++) {
                             int64_t n = 4 * x_end[i], m = y_end[i];
@@ -483,18 +480,18 @@ static void test_grid_small(void)
                             if (i == 0 || -floor_of(-n, m) > hi)
                                 hi = -floor_of(-n, m);
                         }
-                        grid_div(&z, &x, &y, G);
-                        EXPECT(is_interval(&z, lo, hi));
+                        z = grid_div(x, y, G);
+                        EXPECT(is_interval(z, lo, hi));
                     }
-                    interval_add(&z, &x, &y);
-                    EXPECT(is_interval(&z, a + c, b + d));
-                    interval_sub(&z, &x, &y);
-                    EXPECT(is_interval(&z, a - d, b - c));
-                    interval_set(&z, &y);
-                    interval_sub(&z, &x, &z);
-                    EXPECT(is_interval(&z, a - d, b - c));
-                    interval_hull(&z, &x, &y);
-                    EXPECT(is_interval(&z, a < c ? a : c, b > d ? b : d));
+                    z = interval_add(x, y);
+                    EXPECT(is_interval(z, a + c, b + d));
+                    z = interval_sub(x, y);
+                    EXPECT(is_interval(z, a - d, b - c));
+                    z = y;
+                    z = interval_sub(x, z);
+                    EXPECT(is_interval(z, a - d, b - c));
+                    z = interval_hull(x, y);
+                    EXPECT(is_interval(z, a < c ? a : c, b > d ? b : d));
                 }
     end();
 }
@@ -507,16 +504,16 @@ static void test_grid_parts(void)
             interval x;
             integer i;
 
-            set_interval(&x, a, b);
-            interval_mid(&i, &x);
-            EXPECT(small(&i) == floor_of(a + b, 2));
-            interval_rad(&i, &x);
-            EXPECT(small(&i) == b - floor_of(a + b, 2));
-            interval_magnitude(&i, &x);
-            EXPECT(small(&i) == (b > -a ? b : -a));
-            EXPECT(interval_is_positive(&x) == (a > 0));
-            interval_minus(&x, &x);
-            EXPECT(is_interval(&x, -b, -a));
+            x = set_interval(a, b);
+            i = interval_mid(x);
+            EXPECT(small(i) == floor_of(a + b, 2));
+            i = interval_rad(x);
+            EXPECT(small(i) == b - floor_of(a + b, 2));
+            i = interval_magnitude(x);
+            EXPECT(small(i) == (b > -a ? b : -a));
+            EXPECT(interval_is_positive(x) == (a > 0));
+            x = interval_minus(x);
+            EXPECT(is_interval(x, -b, -a));
         }
     }
     for (int n = -30; n <= 30; n++) {
@@ -524,9 +521,9 @@ static void test_grid_parts(void)
             rational q;
             interval x;
 
-            rational_set_small(&q, n, d);
-            grid_from_rational(&x, &q, 3);
-            EXPECT(is_interval(&x, floor_of(8 * n, d), -floor_of(-8 * n, d)));
+            q = rational_from(n, d);
+            x = grid_from_rational(q, 3);
+            EXPECT(is_interval(x, floor_of(8 * n, d), -floor_of(-8 * n, d)));
         }
     }
     end();
@@ -535,12 +532,9 @@ static void test_grid_parts(void)
 /* pi, cos, sin
  * ------------ */
 
-static bool is_one_unit_wide(const interval *x)
+static bool is_one_unit_wide(interval x)
 {
-    integer width;
-
-    integer_sub(&width, &x->hi, &x->lo);
-    return small(&width) == 1;
+    return small(integer_sub(x.hi, x.lo)) == 1;
 }
 
 static void test_trig_pi(void)
@@ -552,29 +546,22 @@ static void test_trig_pi(void)
 
     begin("trig-pi");
     for (int g = 64; g <= 256; g++) {
-        from_hex(&expected, digits);
-        integer_shift_floor(&expected, &expected, 256 - g);
-        grid_pi(&x, g);
-        EXPECT(equal(&x.lo, &expected) && is_one_unit_wide(&x));
+        expected = from_hex(digits);
+        expected = integer_shift_floor(expected, 256 - g);
+        x = grid_pi(g);
+        EXPECT(equal(x.lo, expected) && is_one_unit_wide(x));
     }
     end();
 }
 
 /* sign of p(lo 2^-g) for p = c2 t^2 + c1 t + c0, times 2^(2g) */
-static int quadratic(const integer *t, int c2, int c1, int c0, int g)
+static int quadratic(integer t, int c2, int c1, int c0, int g)
 {
-    integer sum, term, factor;
+    integer sum = integer_mul(integer_mul(t, t), integer_from(c2));
+    integer term = integer_mul(t, integer_from(c1));
 
-    integer_set_small(&factor, c2);
-    integer_mul(&sum, t, t);
-    integer_mul(&sum, &sum, &factor);
-    integer_set_small(&factor, c1);
-    integer_mul(&term, t, &factor);
-    integer_shift_left(&term, &term, g);
-    integer_add(&sum, &sum, &term);
-    integer_set_small(&term, c0);
-    integer_shift_left(&term, &term, 2L * g);
-    integer_add(&sum, &sum, &term);
+    sum = integer_add(sum, integer_shift_left(term, g));
+    sum = integer_add(sum, integer_shift_left(integer_from(c0), 2L * g));
     return sum.sign;
 }
 
@@ -596,16 +583,16 @@ static void test_trig_algebraic(void)
             rational q, s, half;
             interval x, y;
 
-            rational_set_small(&q, number[i].num, number[i].den);
-            grid_cos_pi(&x, &q, g);
-            EXPECT(is_one_unit_wide(&x));
-            EXPECT(quadratic(&x.lo, number[i].c2, number[i].c1, number[i].c0, g) *
-                   quadratic(&x.hi, number[i].c2, number[i].c1, number[i].c0, g) < 0);
+            q = rational_from(number[i].num, number[i].den);
+            x = grid_cos_pi(q, g);
+            EXPECT(is_one_unit_wide(x));
+            EXPECT(quadratic(x.lo, number[i].c2, number[i].c1, number[i].c0, g) *
+                   quadratic(x.hi, number[i].c2, number[i].c1, number[i].c0, g) < 0);
 
-            rational_set_small(&half, 1, 2);       /* sin(x + pi/2) = cos x */
-            rational_add(&s, &q, &half);
-            grid_sin_pi(&y, &s, g);
-            EXPECT(equal(&x.lo, &y.lo) && equal(&x.hi, &y.hi));
+            half = rational_from(1, 2);       /* sin(x + pi/2) = cos x */
+            s = rational_add(q, half);
+            y = grid_sin_pi(s, g);
+            EXPECT(equal(x.lo, y.lo) && equal(x.hi, y.hi));
         }
     }
     end();
@@ -620,26 +607,26 @@ static void test_trig_exact(void)
         rational q, exact, expected;
         interval x, y;
 
-        rational_set_small(&q, n, 3);
-        rational_set_small(&expected, cosine[(n + 12) % 6], 2);
-        EXPECT(rational_cos_pi(&exact, &q) && rational_compare(&exact, &expected) == 0);
-        grid_cos_pi(&x, &q, 64);
-        grid_from_rational(&y, &expected, 64);
-        EXPECT(equal(&x.lo, &y.lo) && equal(&x.hi, &y.hi) && equal(&x.lo, &x.hi));
+        q = rational_from(n, 3);
+        expected = rational_from(cosine[(n + 12) % 6], 2);
+        EXPECT(rational_cos_pi(&exact, q) && rational_compare(exact, expected) == 0);
+        x = grid_cos_pi(q, 64);
+        y = grid_from_rational(expected, 64);
+        EXPECT(equal(x.lo, y.lo) && equal(x.hi, y.hi) && equal(x.lo, x.hi));
 
-        rational_set_small(&q, 2 * n + 1, 2);      /* cos 0, sin 1 or -1 */
-        EXPECT(rational_cos_pi(&exact, &q) && rational_equals(&exact, 0, 1));
-        EXPECT(rational_sin_pi(&exact, &q) &&
-               rational_equals(&exact, n % 2 == 0 ? 1 : -1, 1));
-        rational_set_small(&q, n, 6);              /* sin(pi n/6) */
-        EXPECT(rational_sin_pi(&exact, &q) == ((n + 12) % 6 % 2 != 0 ?
+        q = rational_from(2 * n + 1, 2);      /* cos 0, sin 1 or -1 */
+        EXPECT(rational_cos_pi(&exact, q) && rational_equals(exact, 0, 1));
+        EXPECT(rational_sin_pi(&exact, q) &&
+               rational_equals(exact, n % 2 == 0 ? 1 : -1, 1));
+        q = rational_from(n, 6);              /* sin(pi n/6) */
+        EXPECT(rational_sin_pi(&exact, q) == ((n + 12) % 6 % 2 != 0 ?
                (n + 12) % 3 != 0 || (n + 12) % 6 == 3 : (n + 12) % 6 == 0));
     }
     for (int den = 4; den < 50; den++) {
         rational q, exact;
 
-        rational_set_small(&q, 1, den);
-        EXPECT(!rational_cos_pi(&exact, &q));
+        q = rational_from(1, den);
+        EXPECT(!rational_cos_pi(&exact, q));
     }
     end();
 }
@@ -655,29 +642,28 @@ static void test_trig_consistent(void)
         interval c, s, c2, fine, one, sum;
         integer coarse;
 
-        rational_set_small(&q, (int64_t)(random_word() % 4096) - 2048,
-                           random_word() % 500 + 1);
-        rational_set_small(&two, 2, 1);
-        rational_mul(&twice, &q, &two);
-        grid_cos_pi(&c, &q, g);
-        grid_sin_pi(&s, &q, g);
-        grid_cos_pi(&c2, &twice, g);
-        grid_cos_pi(&fine, &q, g + 50);
-        integer_shift_floor(&coarse, &fine.lo, 50);
-        EXPECT(equal(&coarse, &c.lo));
-        integer_shift_ceil(&coarse, &fine.hi, 50);
-        EXPECT(equal(&coarse, &c.hi));
+        q = rational_from((int64_t)(random_word() % 4096) - 2048, random_word() % 500 + 1);
+        two = rational_from(2, 1);
+        twice = rational_mul(q, two);
+        c = grid_cos_pi(q, g);
+        s = grid_sin_pi(q, g);
+        c2 = grid_cos_pi(twice, g);
+        fine = grid_cos_pi(q, g + 50);
+        coarse = integer_shift_floor(fine.lo, 50);
+        EXPECT(equal(coarse, c.lo));
+        coarse = integer_shift_ceil(fine.hi, 50);
+        EXPECT(equal(coarse, c.hi));
 
-        grid_set_small(&one, 1, g);
-        grid_mul(&c, &c, &c, g);
-        grid_mul(&s, &s, &s, g);
-        interval_add(&sum, &c, &s);
-        interval_sub(&sum, &sum, &one);
-        EXPECT(interval_contains_zero(&sum));
-        interval_add(&sum, &c, &c);
-        interval_sub(&sum, &sum, &one);
-        interval_sub(&sum, &sum, &c2);
-        EXPECT(interval_contains_zero(&sum));
+        one = grid_from(1, g);
+        c = grid_mul(c, c, g);
+        s = grid_mul(s, s, g);
+        sum = interval_add(c, s);
+        sum = interval_sub(sum, one);
+        EXPECT(interval_contains_zero(sum));
+        sum = interval_add(c, c);
+        sum = interval_sub(sum, one);
+        sum = interval_sub(sum, c2);
+        EXPECT(interval_contains_zero(sum));
     }
     end();
 }
@@ -716,33 +702,32 @@ static void test_sha256(void)
         "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb"));
     EXPECT(hash_is(text, 119,
         "31eba51c313a5c08226adf18d4a359cfdfd8d2e816b13f4af952f7ea6584dcfb"));
-    free(text);
     end();
 }
 
 /* Formulas
  * -------- */
 
-static void evaluate(struct value *out, const char *text, int k)
+static struct value value_at(const char *text, int k)
 {
+    static struct language l = { .file = "formula" };
     struct cursor c = { "formula", 1, text, text, text + strlen(text) };
+    struct environment e = environment_make(&l, k, -1, -1, -1, 64);
+    struct value out = evaluate(formula_read(&c, &l, k > 0 ? MEANS_K : 0), &e);
 
-    formula_evaluate(out, &c, k, 64);
     cursor_expect_end(&c);
+    value_require(out, &l, NULL, 0);
+    return out;
 }
 
 static void try_formula(const char *text)
 {
-    struct value v;
-
-    evaluate(&v, text, 7);
+    value_at(text, 7);
 }
 
 static void try_mask_formula(const char *text)
 {
-    struct value v;
-
-    evaluate(&v, text, 0);
+    value_at(text, -1);
 }
 
 static bool is_rational(const char *text, int64_t num, int64_t den)
@@ -751,8 +736,8 @@ static bool is_rational(const char *text, int64_t num, int64_t den)
 
     if (status_of(try_formula, text) != 0)
         return false;
-    evaluate(&v, text, 7);
-    return v.kind == RATIONAL && rational_equals(&v.q, num, den);
+    v = value_at(text, 7);
+    return v.kind == RATIONAL && rational_equals(v.q, num, den);
 }
 
 static bool is_angle(const char *text, int64_t num, int64_t den)
@@ -761,8 +746,8 @@ static bool is_angle(const char *text, int64_t num, int64_t den)
 
     if (status_of(try_formula, text) != 0)
         return false;
-    evaluate(&v, text, 7);
-    return v.kind == ANGLE && rational_equals(&v.q, num, den);
+    v = value_at(text, 7);
+    return v.kind == ANGLE && rational_equals(v.q, num, den);
 }
 
 static bool is_enclosure(const char *text)
@@ -771,7 +756,7 @@ static bool is_enclosure(const char *text)
 
     if (status_of(try_formula, text) != 0)
         return false;
-    evaluate(&v, text, 7);
+    v = value_at(text, 7);
     return v.kind == ENCLOSURE;
 }
 
@@ -800,6 +785,17 @@ static void test_formula_values(void)
     EXPECT(is_rational("cos(0)", 1, 1));
     EXPECT(is_rational("sin(pi-pi)", 0, 1));
     EXPECT(is_rational("-(1-3)", 2, 1));
+    EXPECT(is_rational("mod(-7, 3)", 2, 1));
+    EXPECT(is_rational("sqrt(9/16)", 3, 4));
+    EXPECT(is_rational("abs(-k) - min(3, 2, 5) + max(1/2, 1/3)", 11, 2));
+    EXPECT(is_rational("cases(k = 3: 1; k >= 7 and k < 8: 2; else: 3)", 2, 1));
+    EXPECT(is_rational("cases(k = 3 or k = 7: 5; else: 1/(k-7))", 5, 1));
+    EXPECT(is_rational("cases(pi > 3.1415: 1; else: 2)", 1, 1));
+    EXPECT(is_rational("2^(k-4)", 8, 1));
+    EXPECT(is_rational("(-1)^12345678901", -1, 1));
+    EXPECT(is_angle("abs(-pi)", 1, 1));
+    EXPECT(is_enclosure("sqrt(2)"));
+    EXPECT(is_enclosure("max(pi, 3)"));
     EXPECT(is_angle("2*pi/k", 2, 7));
     EXPECT(is_angle("-pi", -1, 1));
     EXPECT(is_angle("pi^1", 1, 1));
@@ -818,7 +814,8 @@ static void test_formula_values(void)
 static void test_formula_errors(void)
 {
     static const char *const bad[] = {
-        "", "1.", "1..2", "1.2.3", ".", "+1", "2^3^2", "2^", "2^-", "2^65", "2^.5",
+        "", "1.", "1..2", "1.2.3", ".", "+1", "2^3^2", "2^", "2^-", "2^(1/2)", "2^.5", "sqrt(-1)", "mod(1/2,1)", "mod(1,0)", "cases(k=3:1)",
+        "cases(else: 1; k=7: 2)", "min(1)", "sqrt(1,2)", "1 = 1", "cases(k=3 and k=4 or k=7:1;else:2)",
         "2 3", "2k", "kk", "x", "cos", "cos 1", "cos(1)", "cos(pi+1)", "cos()",
         "(1", "1)", "1/0", "1/(1-1)", "0^-1", "pi/0", "1/(cos(pi/7)-cos(pi/7))",
         "2*-3", "1--1", "cospi", "1e5", "1,5", "(1)(2)", "cos(0+pi)", "pi pi",
@@ -866,7 +863,7 @@ static void try_text(const char *text)
 {
     size_t size;
 
-    free(text_canonical("text", text, strlen(text), &size));
+    text_canonical("text", text, strlen(text), &size);
 }
 
 static bool canonical_is(const char *text, const char *expected)
@@ -875,7 +872,6 @@ static bool canonical_is(const char *text, const char *expected)
     char *canonical = text_canonical("text", text, strlen(text), &size);
     bool same = size == strlen(expected) && strcmp(canonical, expected) == 0;
 
-    free(canonical);
     return same;
 }
 
@@ -899,7 +895,7 @@ static void test_canonical_text(void)
 
 static integer *coefficient(struct mask *mask, int a, int b)
 {
-    return &mask->coefficient[a + MASK_RADIUS][b + MASK_RADIUS];
+    return mask_cell(mask, a, b);
 }
 
 /* The weight and all its images. */
@@ -908,8 +904,8 @@ static void set_orbit(struct mask *mask, int a, int b, int weight)
     for (int turn = 0; turn < 6; turn++) {
         int turned = -b;
 
-        integer_set_small(coefficient(mask, a, b), weight);
-        integer_set_small(coefficient(mask, b, a), weight);
+        *coefficient(mask, a, b) = integer_from(weight);
+        *coefficient(mask, b, a) = integer_from(weight);
         b = a + b;
         a = turned;
     }
@@ -919,7 +915,8 @@ static struct mask *new_mask(int denominator)
 {
     struct mask *mask = allocate(1, sizeof *mask);
 
-    integer_set_small(&mask->denominator, denominator);
+    *mask = mask_new(-8, -8, 17, 17);
+    mask->denominator = integer_from(denominator);
     return mask;
 }
 
@@ -950,31 +947,29 @@ static void test_mask_conditions(void)
     struct mask *mask = loop_mask();
 
     begin("mask-conditions");
-    EXPECT(mask_fault(mask) == NULL);
-    integer_set_small(coefficient(mask, 0, 0), 11);
-    EXPECT(mask_fault(mask) != NULL);
-    integer_set_small(coefficient(mask, 0, 0), 10);
+    EXPECT(mask_fault(mask, TRIANGLE) == NULL);
+    *coefficient(mask, 0, 0) = integer_from(11);
+    EXPECT(mask_fault(mask, TRIANGLE) != NULL);
+    *coefficient(mask, 0, 0) = integer_from(10);
 
-    integer_set_small(coefficient(mask, 1, 0), 7);       /* sums stay, no rotation */
-    integer_set_small(coefficient(mask, -1, 0), 5);
-    EXPECT(mask_fault(mask) != NULL);
-    free(mask);
+    *coefficient(mask, 1, 0) = integer_from(7);       /* sums stay, no rotation */
+    *coefficient(mask, -1, 0) = integer_from(5);
+    EXPECT(mask_fault(mask, TRIANGLE) != NULL);
 
     mask = butterfly_mask();
-    EXPECT(mask_fault(mask) == NULL);
+    EXPECT(mask_fault(mask, TRIANGLE) == NULL);
 
     int a = 2, b = 1;                                    /* rotation, no mirror */
 
     for (int turn = 0; turn < 6; turn++) {
         int turned = -b;
 
-        integer_set_small(coefficient(mask, a, b), -2);
-        integer_set_small(coefficient(mask, b, a), 0);
+        *coefficient(mask, a, b) = integer_from(-2);
+        *coefficient(mask, b, a) = integer_from(0);
         b = a + b;
         a = turned;
     }
-    EXPECT(mask_fault(mask) != NULL);
-    free(mask);
+    EXPECT(mask_fault(mask, TRIANGLE) == NULL && !mask_is_mirrored(mask));
     end();
 }
 
@@ -985,13 +980,13 @@ static void test_regular(void)
     struct mask *loop = loop_mask(), *butterfly = butterfly_mask();
 
     begin("regular");
-    EXPECT(regular_derive(derived, loop));
+    EXPECT(regular_derive(derived, loop, TRIANGLE));
     for (int i = 0; i < 3; i++)
         for (int n = 1; n <= 4; n++)
             EXPECT(regular_contracts(&derived->second[i], n));
     EXPECT(mask_is_nonnegative(&derived->first[0]));
 
-    EXPECT(regular_derive(derived, butterfly));
+    EXPECT(regular_derive(derived, butterfly, TRIANGLE));
     for (int i = 0; i < 3; i++) {
         EXPECT(!regular_contracts(&derived->second[i], 1));
         EXPECT(regular_contracts(&derived->second[i], 2));
@@ -1000,10 +995,7 @@ static void test_regular(void)
     EXPECT(!mask_is_nonnegative(&derived->first[0]));
 
     set_orbit(loop, 2, 0, 2);                            /* a remainder */
-    EXPECT(!regular_derive(derived, loop));
-    free(loop);
-    free(butterfly);
-    free(derived);
+    EXPECT(!regular_derive(derived, loop, TRIANGLE));
     end();
 }
 
@@ -1013,15 +1005,34 @@ static void test_regular_norm(void)
     struct mask *mask = new_mask(1000);
 
     begin("regular-norm");
-    integer_set_small(coefficient(mask, 1, -1), -500);   /* s = 2 mask */
+    *coefficient(mask, 1, -1) = integer_from(-500);   /* s = 2 mask */
     EXPECT(!regular_contracts(mask, 1));
     EXPECT(!regular_contracts(mask, 3));
-    integer_set_small(coefficient(mask, 1, -1), -499);
+    *coefficient(mask, 1, -1) = integer_from(-499);
     EXPECT(regular_contracts(mask, 1));
     EXPECT(regular_contracts(mask, 3));
-    integer_set_small(coefficient(mask, 3, 1), 1);       /* the same class */
+    *coefficient(mask, 3, 1) = integer_from(1);       /* the same class */
     EXPECT(!regular_contracts(mask, 1));
-    free(mask);
+    end();
+}
+
+/* Butterfly's derivatives: |S^7| = 2.07.., and windows of S^7 give 2.10
+ * (lib/stability.md).  K >= |S^n| for all n. */
+static void test_stability(void)
+{
+    struct derived_masks *derived = allocate(1, sizeof *derived);
+    struct mask *butterfly = butterfly_mask(), q;
+
+    begin("stability");
+    EXPECT(regular_derive(derived, butterfly, TRIANGLE));
+    q = mask_double(&derived->first[0]);
+    EXPECT(!stability_holds(&q, 7, 2048));
+    EXPECT(!stability_holds(&q, 7, 2100));
+    EXPECT(stability_holds(&q, 7, 2160));
+    EXPECT(stability_holds(&q, 7, 4000));
+    EXPECT(!stability_holds(&q, 1, 2160));
+    EXPECT(!stability_holds(butterfly, 5, 1500));
+    EXPECT(stability_holds(butterfly, 5, 1700));
     end();
 }
 
@@ -1030,38 +1041,67 @@ static void test_regular_norm(void)
 
 /* Where x is in the window of a child and q(x - 2y) is not 0, y is in the window
  * of the parent; and the children cover the parent. */
-static void test_windows(void)
+static void check_windows(const struct mask *mask, enum mesh mesh)
 {
-    struct mask *masks[2] = { loop_mask(), butterfly_mask() };
-    struct stencil *stencil = allocate(1, sizeof *stencil);
-    struct window *window = allocate(ELEMENT_KINDS, sizeof *window);
+    struct stencil stencil = stencil_make(mask, 2, 64);
+    struct window window[ELEMENT_KINDS];
 
-    begin("windows");
-    for (int n = 0; n < 2; n++) {
-        stencil_from_mask(stencil, masks[n], 64);
-        for (int kind = 0; kind < ELEMENT_KINDS; kind++)
-            window_prepare(&window[kind], (enum element_kind)kind, stencil);
-        for (int kind = 0; kind < ELEMENT_KINDS; kind++) {
-            for (int i = 0; i < element_children[kind]; i++) {
-                struct child child = element_child[kind][i];
-                const struct window *w = &window[child.kind];
+    for (int kind = 0; kind < ELEMENT_KINDS; kind++)
+        window[kind] = window_make((enum element_kind)kind, &stencil, mesh);
+    for (int kind = 0; kind < ELEMENT_KINDS; kind++) {
+        for (int i = 0; i < element_form[kind].children; i++) {
+            struct child child = element_form[kind].child[i];
+            const struct window *w = &window[child.kind];
 
-                for (int p = 0; p < w->count * stencil->count; p++) {
-                    struct point x = w->point[p / stencil->count];
-                    struct stencil_entry *entry =
-                        &stencil->entry[p % stencil->count];
-                    int a = x.a + child.a - entry->a, b = x.b + child.b - entry->b;
+            for (int p = 0; p < w->count * stencil.first[4]; p++) {
+                struct label x = w->label[p / stencil.first[4]];
+                struct stencil_entry *entry = &stencil.entry[p % stencil.first[4]];
+                int a = x.a + child.a - entry->a, b = x.b + child.b - entry->b;
 
-                    if (a % 2 == 0 && b % 2 == 0)
-                        EXPECT(window_index(&window[kind], a / 2, b / 2) >= 0);
-                }
+                if (a % 2 == 0 && b % 2 == 0)
+                    EXPECT(window_index(&window[kind], a / 2, b / 2) >= 0);
             }
         }
-        free(masks[n]);
     }
     EXPECT(window_index(window, -100, 0) == -1);
-    free(window);
-    free(stencil);
+}
+
+static void test_windows(void)
+{
+    struct mask *square = allocate(1, sizeof *square);
+
+    begin("windows");
+    check_windows(loop_mask(), TRIANGLE);
+    check_windows(butterfly_mask(), TRIANGLE);
+    *square = mask_new(-2, -2, 4, 4);              /* biquadratic B-splines */
+    for (int i = 0; i < 16; i++)
+        square->coefficient[i] = integer_from((i % 4 % 3 == 0 ? 1 : 3) *
+                                              (i / 4 % 3 == 0 ? 1 : 3));
+    square->denominator = integer_from(16);
+    EXPECT(mask_fault(square, DUAL) == NULL && mask_fault(square, QUAD) != NULL);
+    check_windows(square, DUAL);
+    end();
+}
+
+/* The elements of a ring are different ones, and as many as its area says. */
+static void test_rings(void)
+{
+    begin("rings");
+    for (int r = 1; r < 9; r++) {
+        struct element *list;
+
+        EXPECT(ring_elements(&list, TRIANGLE, r, false) == 3 * r * r);
+        EXPECT(ring_elements(&list, TRIANGLE, r, true) == 2 * r);
+        EXPECT(ring_elements(&list, DUAL, r, true) == 4 * r);
+        EXPECT(ring_elements(&list, QUAD, r, false) == 3 * r * r);
+        EXPECT(list[0].a == r && list[0].b == 0);
+        for (int i = 1; i < 3 * r * r; i++) {
+            int a = list[i].a, b = list[i].b, ring = a > b ? a : b;
+
+            EXPECT(ring >= r && ring < 2 * r);
+            EXPECT(a != list[i - 1].a || b != list[i - 1].b);
+        }
+    }
     end();
 }
 
@@ -1071,7 +1111,8 @@ int main(void)
     test_integer_large();
     test_integer_division();
     test_integer_shifts();
-    test_integer_aliasing();
+    test_integer_root();
+    test_integer_keep();
     test_integer_gcd();
     test_integer_hex();
     test_integer_capacity();
@@ -1091,5 +1132,7 @@ int main(void)
     test_regular();
     test_regular_norm();
     test_windows();
+    test_rings();
+    test_stability();
     return failures == 0 ? 0 : 1;
 }

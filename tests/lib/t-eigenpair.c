@@ -71,7 +71,7 @@ static void test_found(void)
         random_real_matrix(&m, (int)random_range(1, MATRIX_MAX));
         number *b = matrix_numbers(&m, prec), *box = number_array_new((size_t)m.n + 1);
         eigenpair_choice_init(&choice);
-        CHECK(eigenpair_choose(&choice, b, m.n, grid_of(prec), prec) == TRUTH_TRUE, "not found, n = %d, precision %ld", m.n, prec);
+        CHECK(eigenpair_choose(&choice, b, m.n, false, grid_of(prec), prec) == TRUTH_TRUE, "not found, n = %d, precision %ld", m.n, prec);
         if (!test_failed()) {
             CHECK(choice.n == m.n && choice.grid == grid_of(prec) && integer_sign(&choice.radius) > 0, "choice");
             CHECK(eigenpair_prove(box, &choice, b, prec) == TRUTH_TRUE, "not proved, n = %d, precision %ld", m.n, prec);
@@ -103,7 +103,7 @@ static void test_enclosure(void)
         number_set_double(&error, 0x1p-30, prec);
         for (int i = 0; i < m.n * m.n; i++)
             number_add_error(&b[i], &b[i], &error, prec);
-        CHECK(eigenpair_choose(&choice, b, m.n, grid_of(prec), prec) == TRUTH_TRUE && eigenpair_prove(box, &choice, b, prec) == TRUTH_TRUE, "not proved");
+        CHECK(eigenpair_choose(&choice, b, m.n, false, grid_of(prec), prec) == TRUTH_TRUE && eigenpair_prove(box, &choice, b, prec) == TRUTH_TRUE, "not proved");
         CHECK(test_failed() || box_contains(box, &m, 0, choice.pivot), "the box does not contain the eigenpair");
         /* and the corners of the enclosure: shifting the diagonal by 2^-30 moves the eigenvalue by as much */
         CHECK(test_failed() || widest(box + m.n, 0) >= 0x1p-29, "the eigenvalue is too certain");
@@ -169,7 +169,7 @@ static void test_wrong_choices(void)
         random_real_matrix(&m, (int)random_range(1, 5));
         number *b = matrix_numbers(&m, prec), *box = number_array_new((size_t)m.n + 1);
         eigenpair_choice_init(&choice);
-        CHECK(eigenpair_choose(&choice, b, m.n, grid_of(prec), prec) == TRUTH_TRUE, "not found");
+        CHECK(eigenpair_choose(&choice, b, m.n, false, grid_of(prec), prec) == TRUTH_TRUE, "not found");
         if (!test_failed()) {
             bool nonsense;
             tamper(&choice);
@@ -204,7 +204,7 @@ static void test_other_matrix(void)
         random_real_matrix(&m, (int)random_range(1, 5));
         number *b = matrix_numbers(&m, prec), *box = number_array_new((size_t)m.n + 1);
         eigenpair_choice_init(&choice);
-        CHECK(eigenpair_choose(&choice, b, m.n, grid_of(prec), prec) == TRUTH_TRUE, "not found");
+        CHECK(eigenpair_choose(&choice, b, m.n, false, grid_of(prec), prec) == TRUTH_TRUE, "not found");
         number_array_free(b, (size_t)(m.n * m.n));
         /* all eigenvalues move by a thousandth of the old denominator, and no eigenvector moves */
         m.denominator *= 1000;
@@ -259,7 +259,7 @@ static void test_double(void)
         MUST(rational_set_si(&dominant, m.d[0][0], m.denominator));
         for (int from_near = 0; from_near < 2; from_near++) {
             eigenpair_choice_init(&choice);
-            if (eigenpair_choose(&choice, from_near ? c : b, n, grid_of(prec), prec) == TRUTH_TRUE || (choice.n == n && choice.inverse))
+            if (eigenpair_choose(&choice, from_near ? c : b, n, false, grid_of(prec), prec) == TRUTH_TRUE || (choice.n == n && choice.inverse))
                 for (int tries = 0; tries < 6; tries++) {
                     if (tries)
                         MUST(integer_mul_2exp(&choice.radius, &choice.radius, (unsigned long)random_below(20)));
@@ -290,7 +290,7 @@ static void test_none(void)
         transform(&m, 5, 0);
         number *b = matrix_numbers(&m, prec), *box = number_array_new((size_t)m.n + 1);
         eigenpair_choice_init(&choice);
-        if (eigenpair_choose(&choice, b, m.n, grid_of(prec), prec) == TRUTH_TRUE) {
+        if (eigenpair_choose(&choice, b, m.n, false, grid_of(prec), prec) == TRUTH_TRUE) {
             CHECK(m.n > 2, "a real eigenvalue of a rotation");
             CHECK(eigenpair_prove(box, &choice, b, prec) != TRUTH_TRUE || (m.n == 3 && number_contains_zero(&box[m.n])), "an eigenvalue that is not there");
         }

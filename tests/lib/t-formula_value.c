@@ -222,8 +222,8 @@ static void test_complaints(void)
     check_complaint("1 + sqrt(1/2 - sqrt(2))", 5, 5, "the square root of something negative");
     check_complaint("sqrt(-sqrt(2)-k)", 7, 1, "the square root of something negative (at k = 7)");
     check_complaint("pi + cases(sqrt(2) < 1: 1; sqrt(2) > 3/2: 2)", 7, 6, "no case applies; add 'else: ...'");
-    check_complaint("pi*mod(sqrt(2), 2)", 7, 4, "expected whole numbers (and none is 0 behind mod)");
-    check_complaint("pi^(1/2)", 7, 3, "expected whole numbers (and none is 0 behind mod)");
+    check_complaint("pi*mod(sqrt(2), 2)", 7, 4, "mod takes two whole numbers, the second not 0");
+    check_complaint("pi^(1/2)", 7, 3, "expected a whole number as the exponent");
     check_complaint("pi^(2^14+1)", 7, 3, "a rational number of more than 16384 bits");
     check_complaint("1/(k-5)", 5, 2, "division by zero (at k = 5)");
     check_complaint("cos(cos(pi/7))", 5, 1, "cos and sin need a rational multiple of pi");

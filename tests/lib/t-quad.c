@@ -278,7 +278,7 @@ typedef struct {
 static const subject subjects[] = {
     {"catmull-clark-by-rule", HEAD_QUAD CATMULL_CLARK_MASK CATMULL_CLARK_RULE, catmull_clark, false, true},
     {"catmull-clark-composed", HEAD_QUAD "compose\nrefine\nsmooth 1/4, 1/2 centre 1 - 3/k, 2/k\nend\n", catmull_clark, false, true},
-    {"doo-sabin-by-sectors", HEAD_DUAL DOO_SABIN_MASK "rule (1/2,1/2)\n(1/2,1/2) rest\n(1/2,1/2) @ j cases(j = 0: 0; else: (3 + 2*cos(2*pi*j/k))/(4*k))\nend\n", doo_sabin, true, false},
+    {"doo-sabin-by-sectors", HEAD_DUAL DOO_SABIN_MASK "rule (1/2,1/2)\n(1/2,1/2) rest\n(1/2,1/2) @ j cases(j = 0: 0; else: (3 + 2*cos(2*pi*j/k))/(4*k))\nend\n", doo_sabin, true, true},
     {"doo-sabin-by-spectrum", HEAD_DUAL DOO_SABIN_MASK "rule (1/2,1/2)\n(1/2,1/2) spectrum cases(m = 0: 7; m = 1: 1/2; else: 1/4)\nend\n", doo_sabin, true, true},
     {"doo-sabin-but-at-4", HEAD_DUAL DOO_SABIN_MASK "rule (1/2,1/2) when k != 4\n(1/2,1/2) spectrum cases(m = 0: 1; m = 1: 1/2; else: 1/4)\nend\n", doo_sabin, true, true},
     {"odd", HEAD_QUAD CATMULL_CLARK_MASK CATMULL_CLARK_RULE

@@ -1,6 +1,8 @@
 /* t-regular.c: difference masks, norms, comparison constants and bounds of limits, against golden values and against
    nets that are subdivided here. */
+#include "lib/decomposition.h"
 #include "lib/power.h"
+#include "lib/regular_refutation.h"
 #include "lib/stability.h"
 
 #include "tests/bigfloat/random.h"
@@ -504,6 +506,124 @@ static void test_golden_constants(void)
     test_end();
 }
 
+/* The constants of the thesis, and those that its decomposition proves. */
+static void check_decomposition(const laurent *mask, const int64_t (*printed)[2], const int64_t (*proved)[2], const char *name)
+{
+    regular_masks m;
+    decomposition c;
+    regular_init(&m);
+    decomposition_init(&c);
+    MUST(regular_derive(&m, mask, MESH_TRIANGLE) && decomposition_make(&c, mask, &m));
+    CHECK(c.identity, "%s: the identity does not hold", name);
+    CHECK(is_fraction(&c.printed.values, printed[0][0], printed[0][1]), "%s: C is near %.9g", name, rational_get_double_approx(&c.printed.values));
+    CHECK(is_fraction(&c.proved.values, proved[0][0], proved[0][1]), "%s: the bound is near %.9g", name, rational_get_double_approx(&c.proved.values));
+    for (int i = 0; i < 2; i++) {
+        CHECK(is_fraction(&c.printed.derivative[i], printed[1][0], printed[1][1]), "%s: C%d is near %.9g", name, i + 1, rational_get_double_approx(&c.printed.derivative[i]));
+        CHECK(is_fraction(&c.proved.derivative[i], proved[1][0], proved[1][1]), "%s: the bound %d is near %.9g", name, i + 1, rational_get_double_approx(&c.proved.derivative[i]));
+    }
+    regular_clear(&m);
+    decomposition_clear(&c);
+}
+
+static void test_golden_decompositions(void)
+{
+    static const int64_t butterfly[2][2] = {{3, 4}, {5, 4}}, butterfly_proved[2][2] = {{1, 2}, {1, 1}};
+    static const int64_t loop[2][2] = {{7, 8}, {3, 2}}, loop_proved[2][2] = {{3, 4}, {1, 1}}, zero[2][2] = {{0, 1}, {0, 1}};
+    laurent mask;
+    test_begin("the thesis's constants, (4.31), (4.34), 6.5");
+    laurent_init(&mask);
+    set_butterfly(&mask, 1, 16);
+    check_decomposition(&mask, butterfly, butterfly_proved, "butterfly");
+    set_loop(&mask);
+    check_decomposition(&mask, loop, loop_proved, "loop");
+    MUST(comparison_values(&mask, MESH_TRIANGLE));
+    check_decomposition(&mask, zero, zero, "linear triangles");
+    laurent_clear(&mask);
+    test_end();
+}
+
+/* z = b q, b linear interpolation, q a random sum of sixfold orbits with q(1,1) = 1: in general no mirror image of itself. */
+static void set_random_product(laurent *z, int reach)
+{
+    laurent q, b;
+    int64_t total = 0;
+    laurent_init(&q), laurent_init(&b);
+    MUST(laurent_set_box(&q, -2 * reach, -2 * reach, 4 * reach + 1, 4 * reach + 1));
+    integer_set_si(&q.denominator, 32);
+    for (int i = 0; i < 3; i++) {
+        lattice p = {(int)random_range(-reach, reach), (int)random_range(-reach, reach)};
+        int64_t weight = random_range(-5, 5);
+        for (int turn = 0; turn < 6; turn++, p = mesh_rotate_mask(MESH_TRIANGLE, p)) {
+            integer *c = &q.coefficient[(p.a + 2 * reach) * q.nb + p.b + 2 * reach];
+            integer_set_si(c, integer_get_si(c) + weight);
+            total += weight;
+        }
+    }
+    integer *c = &q.coefficient[2 * reach * q.nb + 2 * reach];
+    integer_set_si(c, integer_get_si(c) + 32 - total);
+    MUST(comparison_values(&b, MESH_TRIANGLE) && laurent_mul(z, &b, &q));
+    laurent_clear(&q), laurent_clear(&b);
+}
+
+/* Every plan costs the least at least. */
+static void test_decompositions(void)
+{
+    test_begin("decompositions are identities and give valid constants");
+    for (test_cases(150); test_next();) {
+        laurent mask;
+        regular_masks m;
+        comparison least;
+        decomposition c;
+        laurent_init(&mask);
+        regular_init(&m);
+        comparison_init(&least);
+        decomposition_init(&c);
+        set_random_product(&mask, (int)random_range(1, 2));
+        MUST(regular_derive(&m, &mask, MESH_TRIANGLE));
+        CHECK(m.divisible, "not divisible");
+        MUST(comparison_make(&least, &mask, &m) && decomposition_make(&c, &mask, &m));
+        CHECK(c.identity, "the identity does not hold");
+        CHECK(rational_cmp(&c.proved.values, &least.values) >= 0, "C below the least");
+        for (int i = 0; i < 2; i++)
+            CHECK(rational_cmp(&c.proved.derivative[i], &least.derivative[i]) >= 0, "C%d below the least", i + 1);
+        laurent_clear(&mask);
+        regular_clear(&m);
+        comparison_clear(&least);
+        decomposition_clear(&c);
+    }
+    test_end();
+}
+
+/* (4.23) is false: the example of lib/stability.md, 6, where |S_(b p_1)| = 1 and the least constant is n / 2. */
+static void test_printed_bound_fails(void)
+{
+    laurent product, shifted, e, zero;
+    rational norm, least;
+    test_begin("the thesis's (4.23) is no bound");
+    laurent_init(&product), laurent_init(&shifted), laurent_init(&e), laurent_init(&zero);
+    rational_init(&norm), rational_init(&least);
+    for (int n = 1; n <= 9; n += 2) {
+        lattice point[8];
+        rational weight[8];
+        for (int i = 0; i < 8; i++) {
+            int x = i & 1, u = i >> 1 & 1, y = i >> 2;
+            point[i] = (lattice){n * x + n * u - 1, n * u - y};
+            rational_init(&weight[i]);
+            MUST(rational_set_si(&weight[i], 1, 2));
+        }
+        MUST(laurent_set_terms(&product, point, weight, 8) && laurent_class_norm(&norm, &product, 2));
+        MUST(laurent_set(&shifted, &product));
+        shifted.a0--;
+        MUST(laurent_sub(&e, &shifted, &product) && comparison_constant(&least, &e, &zero, (lattice){1, 0}, (lattice){0, 1}));
+        CHECK(is_fraction(&norm, 1, 1) && is_fraction(&least, n, 2), "n = %d: %.9g and %.9g", n, rational_get_double_approx(&norm), rational_get_double_approx(&least));
+        for (int i = 0; i < 8; i++)
+            rational_clear(&weight[i]);
+    }
+    laurent_clear(&product), laurent_clear(&shifted), laurent_clear(&e), laurent_clear(&zero);
+    rational_clear(&norm), rational_clear(&least);
+    test_end();
+}
+
 /* value = the coefficient of x at (a,b). */
 static double coefficient(const laurent *x, long a, long b)
 {
@@ -671,6 +791,90 @@ static void test_four_point(void)
     test_end();
 }
 
+/* ---- masks that are not C1 ---- */
+
+static void check_refutation(const laurent *mask, mesh_kind mesh, bool refuted, int64_t modulus, const char *name)
+{
+    regular_refutation z;
+    MUST(regular_refute(&z, mask, mesh));
+    CHECK(z.refuted == refuted, "%s: refuted %d", name, z.refuted);
+    CHECK(!z.refuted || modulus < 0 || z.modulus == modulus, "%s: modulus %.9g", name, (double)z.modulus / REFUTATION_UNIT);
+}
+
+/* Butterfly has the eigenvalue 4w of frequency 0; interpolation has 1/2 there, whose functions have creases. */
+static void test_golden_refutations(void)
+{
+    laurent mask;
+    mesh_kind mesh;
+    test_begin("masks that are not C1");
+    laurent_init(&mask);
+    for (int q = 2; q <= 32; q++) {
+        set_butterfly(&mask, 1, q);
+        check_refutation(&mask, MESH_TRIANGLE, q <= 8, q < 4 ? -1 : 4 * REFUTATION_UNIT / q, "butterfly");
+    }
+    set_butterfly(&mask, -1, 100);
+    check_refutation(&mask, MESH_TRIANGLE, true, -1, "butterfly with a negative tension");
+    set_butterfly(&mask, 127, 1024);
+    check_refutation(&mask, MESH_TRIANGLE, false, -1, "butterfly, barely");
+    set_butterfly(&mask, 129, 1024);
+    check_refutation(&mask, MESH_TRIANGLE, true, 516, "butterfly, barely not");
+    MUST(comparison_values(&mask, MESH_TRIANGLE));
+    check_refutation(&mask, MESH_TRIANGLE, true, REFUTATION_UNIT / 2, "linear");
+    set_loop(&mask);
+    check_refutation(&mask, MESH_TRIANGLE, false, -1, "loop");
+    for (int degree = 1; degree <= 7; degree++) {
+        set_midpoint(&mask, &mesh, degree);
+        check_refutation(&mask, mesh, degree == 1, REFUTATION_UNIT / 2, "midpoint");
+    }
+    set_four_point(&mask, 1, 16);
+    check_refutation(&mask, MESH_QUAD, false, -1, "four-point");
+    set_four_point(&mask, 1, 4);
+    check_refutation(&mask, MESH_QUAD, true, -1, "four-point with too much tension");
+    laurent_clear(&mask);
+    test_end();
+}
+
+/* z = (1 - t) x + t y, t = p / q. */
+static void set_mixture(laurent *z, const laurent *x, const laurent *y, int p, int q)
+{
+    laurent scaled, other;
+    laurent_init(&scaled), laurent_init(&other);
+    MUST(laurent_mul_si(&scaled, x, q - p) && laurent_mul_si(&other, y, -p) && laurent_sub(z, &scaled, &other));
+    MUST(integer_mul_si(&z->denominator, &z->denominator, q));
+    laurent_clear(&scaled), laurent_clear(&other);
+}
+
+/* What norms prove is never refuted, and the two leave little between them. */
+static void test_proof_and_refutation(void)
+{
+    int proofs = 0, refutations = 0;
+    test_begin("what is proved C1 is not refuted");
+    for (test_cases(120); test_next();) {
+        mesh_kind mesh = (mesh_kind)random_below(3);
+        laurent mask, x, y;
+        regular_refutation z;
+        bool divisible;
+        int pairs;
+        laurent_init(&mask), laurent_init(&x), laurent_init(&y);
+        if (mesh == MESH_TRIANGLE)
+            set_random_product(&mask, 1);
+        else {
+            int degree = (int)random_range(1, 2);
+            set_midpoint(&x, &mesh, degree);
+            set_midpoint(&y, &mesh, degree + 2);
+            set_mixture(&mask, &x, &y, (int)random_range(-12, 24), 8);
+        }
+        pairs = proved_pairs(&divisible, &mask, mesh);
+        MUST(regular_refute(&z, &mask, mesh));
+        CHECK(!z.refuted || pairs != 7, "both: frequency %d, modulus %.9g", z.frequency, (double)z.modulus / REFUTATION_UNIT);
+        proofs += pairs == 7;
+        refutations += z.refuted;
+        laurent_clear(&mask), laurent_clear(&x), laurent_clear(&y);
+    }
+    CHECK(test_case_number() < 100 || (proofs >= 20 && refutations >= 20), "%d proofs, %d refutations", proofs, refutations);
+    test_end();
+}
+
 /* ---- no mask can ask for unbounded work ---- */
 
 static void test_large_masks(void)
@@ -686,6 +890,8 @@ static void test_large_masks(void)
             integer_set_si(&s.coefficient[i], (int64_t)(random_word() >> (digits ? 2 : 60)) + 1);
         MUST(norm_list_make(&norms, &s, REGULAR_MAX_POWER, false));
         CHECK(norms.count >= 2 && norms.count <= REGULAR_MAX_POWER, "%d norms", norms.count);
+        regular_refutation z;
+        MUST(regular_refute(&z, &s, MESH_QUAD));
     }
     norm_list_clear(&norms);
     laurent_clear(&s);
@@ -702,9 +908,14 @@ int main(void)
     test_long_norms();
     test_rounded_powers();
     test_golden_constants();
+    test_golden_decompositions();
+    test_decompositions();
+    test_printed_bound_fails();
     test_constants_hold();
     test_stability();
     test_four_point();
+    test_golden_refutations();
+    test_proof_and_refutation();
     test_large_masks();
     return test_status();
 }

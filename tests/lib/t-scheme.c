@@ -288,14 +288,14 @@ static void test_statements(void)
     scheme_clear(&s);
     read_scheme(&s, HEAD MASK "rule centre\nall (1,0) rest\nend\n");
     scheme_clear(&s);
-    check_complaint("other rule", HEAD MASK "rule edge\n", 9, 6, "expected a point such as (1,0), found 'edge'");
+    check_complaint("other rule", HEAD MASK "rule edge\n", 9, 6, "expected 'centre' or a point such as (1,0), found 'edge'");
     check_complaint("rule without weight", HEAD MASK "rule centre\ncentre\nall (1,0) rest\nend\n", 10, 7, "expected a formula, but the line ends");
     check_complaint("rule without ring", HEAD MASK "rule centre\ncentre 1/2\nend\n", 11, 1, "exactly one weight of a rule must be 'rest', so that they sum to 1 exactly");
     check_complaint("ring without point", HEAD MASK "rule centre\ncentre 1/2\nall rest\nend\n", 11, 5, "expected a point such as (1,0), found 'rest'");
     read_scheme(&s, HEAD MASK "rule centre\ncentre 1/2\nall (1,1) rest\nend\n");
     scheme_clear(&s);
     check_complaint("point outside the sector", HEAD MASK "rule centre\ncentre 1/2\nall (0,1) rest\nend\n", 11, 5,
-                    "expected a point of the sector: (a,b) with a >= 1, b >= 0, at most 16 rings out, found '(0,1)'");
+                    "expected a point of the sector: (a,b) with a >= 1, b >= 0, at most 16 rings out (this one is (1,0) of sector 1), found '(0,1)'");
     check_complaint("two weights", HEAD MASK "rule centre\ncentre 1/2\nall (1,0) 1/2\nend\n", 12, 1, "exactly one weight of a rule must be 'rest', so that they sum to 1 exactly");
     check_complaint("no weight", HEAD MASK "rule centre\ncentre rest\nall (1,0) rest\nend\n", 12, 1, "exactly one weight of a rule must be 'rest', so that they sum to 1 exactly");
     check_complaint("rest and more", HEAD MASK "rule centre\ncentre rest + 1\nall (1,0) rest\nend\n", 10, 13, "expected the end of the line, found '+'");
@@ -344,12 +344,16 @@ static void test_mask_complaints(void)
     check_complaint("irrational", WITH_MASK("(0,0) cos(pi/5)\n"), 6, 7, "expected a rational number, and this value is not one");
     check_complaint("angle", WITH_MASK("(0,0) pi\n"), 6, 7, "expected a rational number, and this value is not one");
     check_complaint("division", WITH_MASK("(0,0) 1/0\n"), 6, 8, "division by zero");
-    check_complaint("formula", WITH_MASK("(0,0) 1 +\n"), 6, 10, A_PRIMARY ", but the line ends");
+    check_complaint("formula", WITH_MASK("(0,0) 1 +\n"), 6, 10, A_PRIMARY ", but the formula ends");
     check_complaint("twice", WITH_PLAIN("(0,0) 1\n(0, 0) 1\n"), 7, 1, "a point is given a weight twice (with 'symmetric' an entry stands for its whole orbit)");
     check_complaint("twice through an orbit", WITH_MASK("(0,0) 1\n(1,0) 1/2\n  (-1,1) 1/2\n"), 8, 3, "a point is given a weight twice (with 'symmetric' an entry stands for its whole orbit)");
-    check_complaint("even class", WITH_MASK("(0,0) 1\n(1,0) 1/2\n(2,0) 1/1000000\n"), 9, 1, "the weights of the mask for one of its four classes of new points sum to 500003/500000, not to 1");
-    check_complaint("odd class", WITH_MASK("(0,0) 1\n(1,0) 1/3\n"), 8, 1, "the weights of the mask for one of its four classes of new points sum to 2/3, not to 1");
-    check_complaint("no points", WITH_MASK(""), 6, 1, "the weights of the mask for one of its four classes of new points sum to 0, not to 1");
+    check_complaint("even class", WITH_MASK("(0,0) 1\n(1,0) 1/2\n(2,0) 1/1000000\n"), 9, 1, "the weights of the mask at the points (a,b) with an even a and an even b sum to 500003/500000, not to 1");
+    check_complaint("odd class", WITH_MASK("(0,0) 1\n(1,0) 1/3\n"), 8, 1, "the weights of the mask at the points (a,b) with an even a and an odd b sum to 2/3, not to 1");
+    check_complaint("no points", WITH_MASK(""), 6, 1, "the weights of the mask at the points (a,b) with an even a and an even b sum to 0, not to 1");
+    check_complaint("odd and even class", "scheme x\nmesh quad\ndilation 2\nvertices interior\nmask\n(0,0) 1\n(0,1) 1/2\n(0,-1) 1/2\nend\n", 9, 1,
+                    "the weights of the mask at the points (a,b) with an odd a and an even b sum to 0, not to 1");
+    check_complaint("a class of halves", "scheme x\nmesh quad-dual\ndilation 2\nvertices interior\nmask\n(1/2,1/2) 1\n(-3/2,-1/2) 1\nend\n", 8, 1,
+                    "the weights of the mask at the points (a,b) where b, but not a, is among ... -3/2, 1/2, 5/2 ... sum to 0, not to 1");
     check_complaint("rotation", WITH_PLAIN("(0,0) 1\n(1,0) 1/2\n(-1,0) 1/2\n(0,1) 1/2\n(0,-1) 1/2\n(1,1) 1\n"), 12, 1,
                     "the mask is not invariant under rotation by one sector of the regular mesh (a sixth of a turn), so it has no meaning at other valences");
     check_complaint("one weight off the rotation", WITH_PLAIN("(0,0) 1\n(1,0) 1/2\n(-1,0) 1/2\n(0,1) 1/2\n(0,-1) 1/2\n(-1,1) 3/8\n(1,-1) 5/8\n"), 13, 1,
@@ -367,12 +371,12 @@ static void test_mask_complaints(void)
 static void test_places(void)
 {
     test_begin("scheme-places");
-    check_complaint("blanks in front", WITH_MASK("   (0,0)   x\n"), 6, 12, "unknown word 'x'; did you mean 'max'?");
-    check_complaint("end of a line with a comment", WITH_MASK("(0,0) 1 +   # 2\n"), 6, 10, A_PRIMARY ", but the line ends");
+    check_complaint("blanks in front", WITH_MASK("   (0,0)   x\n"), 6, 12, "unknown word 'x': expected a number, k, pi, a function or a name defined before");
+    check_complaint("end of a line with a comment", WITH_MASK("(0,0) 1 +   # 2\n"), 6, 10, A_PRIMARY ", but the formula ends");
     check_complaint("blanks in a point", WITH_MASK("(0,   0   x\n"), 6, 11, "expected ')', found 'x'");
     test_end();
     test_begin("scheme-places-in-formulas");
-    check_complaint("blanks inside a formula", WITH_MASK("(0,0) 1  +   x\n"), 6, 14, "unknown word 'x'; did you mean 'max'?");
+    check_complaint("blanks inside a formula", WITH_MASK("(0,0) 1  +   x\n"), 6, 14, "unknown word 'x': expected a number, k, pi, a function or a name defined before");
     check_complaint("tabs inside a formula", WITH_MASK("(0,0)\t1\t\t/\t\t0\n"), 6, 10, "division by zero");
     test_end();
     test_begin("scheme-tokens");
@@ -384,8 +388,8 @@ static void test_places(void)
     read_scheme(&s, "scheme x\nmesh triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0)1\n(1,0).5\nend\nrule centre\ncentre .375\nall(1,0)rest\nend");
     scheme_clear(&s);
     check_complaint("no blank", "scheme x\nmesh triangle\ndilation2\n", 3, 1, "expected 'dilation 2' (other dilations are reserved for later), found 'dilation2'");
-    check_complaint("a weight without a blank", HEAD MASK "rule centre\ncentre3/8\nall (1,0) rest\nend\n", 10, 1, "expected a point such as (1,0), found 'centre3/8'");
-    check_complaint("a longer word", HEAD MASK "rule centre\ncentrepi\nall (1,0) rest\nend\n", 10, 1, "expected a point such as (1,0), found 'centrepi'");
+    check_complaint("a weight without a blank", HEAD MASK "rule centre\ncentre3/8\nall (1,0) rest\nend\n", 10, 1, "expected 'centre', 'all', a point such as (1,0), or 'end', found 'centre3/8'");
+    check_complaint("a longer word", HEAD MASK "rule centre\ncentrepi\nall (1,0) rest\nend\n", 10, 1, "expected 'centre', 'all', a point such as (1,0), or 'end', found 'centrepi'");
     check_complaint("a blank between digits", WITH_MASK("(0,0) 1\n(1 2,0) 0\n"), 7, 4, "expected ',', found '2,0)'");
     test_end();
 }

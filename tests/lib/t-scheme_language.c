@@ -73,7 +73,7 @@ static void test_definitions(void)
     check_complaint("abbreviation", text, "v=1", 0, 0, "the scheme has no parameter for the setting 'v=1' (expected NAME=VALUE)");
     check_complaint("longer name", text, "w2=1", 0, 0, "the scheme has no parameter for the setting 'w2=1' (expected NAME=VALUE)");
     check_complaint("shorter name", text, "u2_=1", 0, 0, "the scheme has no parameter for the setting 'u2_=1' (expected NAME=VALUE)");
-    check_complaint("no value", text, "w=", 0, 1, "expected a number, a word or '(', but the line ends");
+    check_complaint("no value", text, "w=", 0, 1, "expected a number, a word or '(', but the formula ends");
     check_complaint("no equals sign", text, "w", 0, 0, "the scheme has no parameter for the setting 'w' (expected NAME=VALUE)");
     check_complaint("bad value", text, "w=1/16)", 0, 5, "expected an operator or the end of the line, found ')'");
     check_complaint("valence in a value", text, "w=k", 0, 1, "k, the valence, has no meaning here");
@@ -86,8 +86,8 @@ static void test_definitions(void)
     check_complaint("used too early", HEAD "let a = bbbbbb\nlet bbbbbb = 1\n" MASK, NULL, 5, 9, "unknown word 'bbbbbb': expected a number, k, pi, a function or a name defined before");
     check_complaint("used in itself", HEAD "let aaaa = aaaa\n" MASK, NULL, 5, 12, "unknown word 'aaaa': expected a number, k, pi, a function or a name defined before");
     check_complaint("parameter of the valence", HEAD "parameter a = 1/k\n" MASK, NULL, 5, 17, "k, the valence, has no meaning here");
-    check_complaint("parameter by way of a name", HEAD "let b = 1/k\nparameter a = b\n" MASK, NULL, 6, 15, "the value of this name depends on something that has no meaning here");
-    check_complaint("mask by way of names", HEAD "let b = 1/k\nlet c = 2*b\n" BUTTERFLY("c"), NULL, 10, 9, "the value of this name depends on something that has no meaning here");
+    check_complaint("parameter by way of a name", HEAD "let b = 1/k\nparameter a = b\n" MASK, NULL, 6, 15, "the value of this name depends on k, the valence, which has no meaning here");
+    check_complaint("mask by way of names", HEAD "let b = 1/k\nlet c = 2*b\n" BUTTERFLY("c"), NULL, 10, 9, "the value of this name depends on k, the valence, which has no meaning here");
     check_complaint("after the mask", HEAD MASK "let a = 1\n", NULL, 9, 1, "expected nothing more, found 'let'");
     check_complaint("division", HEAD "let z = 0\nparameter a = 1/z\n" MASK, NULL, 6, 16, "division by zero");
     test_end();
@@ -134,11 +134,36 @@ static void test_intervals(void)
     check_complaint("empty", HEAD "parameter c = [1, 1/2]\n" MASK, NULL, 5, 15, "the lower end of this interval is above the upper one");
     check_complaint("one end", HEAD "parameter c = [1]\n" MASK, NULL, 5, 15, "expected an interval such as [1/20, 1/10]");
     check_complaint("open", HEAD "parameter c = [1,2\n" MASK, NULL, 5, 15, "expected an interval such as [1/20, 1/10]");
-    check_complaint("three ends", HEAD "parameter c = [1,2,3]\n" MASK, NULL, 5, 19, "expected an operator or the end of the line, found ','");
-    check_complaint("no lower end", HEAD "parameter c = [,2]\n" MASK, NULL, 5, 16, "expected a number, a word or '(', but the line ends");
-    check_complaint("abbreviation", HEAD "let c = [1,2]\n" MASK, NULL, 5, 9, "expected a number, a word or '(', found '['");
+    check_complaint("three ends", HEAD "parameter c = [1,2,3]\n" MASK, NULL, 5, 19, "expected an operator or the end of the line (decimals have a point: 0.5), found ','");
+    check_complaint("no lower end", HEAD "parameter c = [,2]\n" MASK, NULL, 5, 16, "expected a number, a word or '(', but the formula ends");
+    check_complaint("abbreviation", HEAD "let c = [1,2]\n" MASK, NULL, 5, 9, "expected a number, a word or '(' (an interval can only be the whole value of a parameter), found '['");
     check_complaint("setting", text, "c=[2,1]", 0, 1, "the lower end of this interval is above the upper one");
-    check_complaint("mask", HEAD "parameter c = [1/20, 1/10]\n" BUTTERFLY("c"), NULL, 9, 8, "expected a rational number, and this value is not one");
+    check_complaint("mask", HEAD "parameter c = [1/20, 1/10]\n" BUTTERFLY("c"), NULL, 9, 8, "expected one rational number, and this is an interval");
+    test_end();
+}
+
+/* Whatever a file asks for, it is answered at once: these two would take minutes. */
+static void test_work(void)
+{
+    char text[20000];
+    size_t n = (size_t)sprintf(text, HEAD_QUAD "let a = (3/7)^2500\nlet b = a");
+    test_begin("language-work");
+    for (int i = 0; i < 150; i++)
+        n += (size_t)sprintf(text + n, "*a/a");
+    n += (size_t)sprintf(text + n, "\nlet c = b/a\nmask\n");
+    for (int a = -8; a <= 8; a++)
+        for (int b = -8; b <= 8; b++)
+            n += (size_t)sprintf(text + n, "(%d,%d) c\n", a, b);
+    sprintf(text + n, "end\n");
+    check_complaint("operations", text, NULL, 16, 9, "with this one the formulas of the file have more than 20000 operations, definitions written out");
+    n = (size_t)sprintf(text, HEAD_QUAD "mask\n");
+    for (int a = -8; a <= 8; a++)
+        for (int b = -8; b <= 8; b++)
+            n += (size_t)sprintf(text + n, "(%d,%d) 1/%d^1200\n", a, b, 1001 + 17 * a + b);
+    sprintf(text + n, "end\n");
+    check_complaint("denominators", text, NULL, 7, 1, "with this one the weights of the mask have a common denominator of more than 16384 bits");
+    check_complaint("a composition", HEAD_QUAD "let b = 1/4 + 1/7^1400\ncompose\nrefine\nrepeat 33: smooth b, 1/2\nend\n", NULL, 9, 1,
+                    "the weights of the composed mask have a common denominator of more than 16384 bits");
     test_end();
 }
 
@@ -210,7 +235,7 @@ static void test_limits(void)
     check_complaint("reach 17", HEAD MASK "rule (17,0)\ncentre rest\nend\n", NULL, 9, 6,
                     "expected a point of the sector: (a,b) with a >= 1, b >= 0, at most 16 rings out, found '(17,0)'");
     check_accepted("offset 999", HEAD MASK "rule (1,0)\ncentre rest\n(1,0) @ -999 1\nend\n");
-    check_complaint("offset 1000", HEAD MASK "rule (1,0)\ncentre rest\n(1,0) @ 1000 1\nend\n", NULL, 11, 14, "expected j, or a whole number of sectors, found '1'");
+    check_complaint("offset 1000", HEAD MASK "rule (1,0)\ncentre rest\n(1,0) @ 1000 1\nend\n", NULL, 11, 9, "expected j, or a whole number of sectors with at most three digits, found '1000'");
     test_end();
 }
 
@@ -246,9 +271,9 @@ static void test_conditions(void)
     }
     scheme_clear(&s);
     check_complaint("condition of m", HEAD MASK "rule (1,0) when m = 1\ncentre rest\nend\n", NULL, 9, 17, "m, the frequency, has no meaning here");
-    check_complaint("no comparison", HEAD MASK "rule (1,0) when k\ncentre rest\nend\n", NULL, 9, 18, "expected a comparison: = != < <= > or >=, but the line ends");
-    check_complaint("mixture", HEAD MASK "rule (1,0) when k = 1 or k = 2 and k = 3\ncentre rest\nend\n", NULL, 9, 32, "expected an operator or the end of the line, found 'a'");
-    check_complaint("no condition", HEAD MASK "rule (1,0) when\ncentre rest\nend\n", NULL, 9, 16, "expected a number, a word or '(', but the line ends");
+    check_complaint("no comparison", HEAD MASK "rule (1,0) when k\ncentre rest\nend\n", NULL, 9, 18, "expected a comparison: = != < <= > or >=, but the formula ends");
+    check_complaint("mixture", HEAD MASK "rule (1,0) when k = 1 or k = 2 and k = 3\ncentre rest\nend\n", NULL, 9, 32, "'and' and 'or' cannot be mixed in one condition");
+    check_complaint("no condition", HEAD MASK "rule (1,0) when\ncentre rest\nend\n", NULL, 9, 16, "expected a number, a word or '(', but the formula ends");
     check_complaint("other word", HEAD MASK "rule (1,0) if k = 3\ncentre rest\nend\n", NULL, 9, 12, "expected 'when' or the end of the line, found 'if'");
     test_end();
 }
@@ -292,23 +317,97 @@ static void test_sources(void)
     check_complaint("no rest", HEAD MASK "rule (1,0)\ncentre 1\nend\n", NULL, 11, 1, ONE_REST);
     check_complaint("two spectra", HEAD MASK "rule (1,0)\n(1,0) spectrum 1/2\n(1,1) spectrum 1/2\nend\n", NULL, 12, 1, ONE_REST);
     check_accepted("two spectra and a rest", HEAD MASK "rule (1,0)\n(1,0) spectrum 1/2\n(1,1) spectrum 1/2\ncentre rest\nend\n");
-    check_complaint("rest of sectors", HEAD MASK "rule (1,0)\n(1,0) @ j rest\nend\n", NULL, 11, 1, "'rest' cannot be the weights of all sectors; give it to another point");
-    check_complaint("rest of a spectrum", HEAD MASK "rule (1,0)\n(1,0) spectrum rest\nend\n", NULL, 10, 16, "unknown word 'rest': expected a number, k, pi, a function or a name defined before");
+    check_complaint("one sector of the centre", HEAD MASK "rule centre\n(1,0) 1/3\ncentre rest\nend\n", NULL, 10, 1,
+                    "a rule for the centre must treat all sectors alike: write 'all' in front of the point, with the weight of all of them together");
+    check_complaint("rest of sectors", HEAD MASK "rule (1,0)\n(1,0) @ j rest\nend\n", NULL, 10, 1, "'rest' cannot be the weights of all sectors; give it to another point");
+    check_complaint("rest of a spectrum", HEAD MASK "rule (1,0)\n(1,0) spectrum rest\nend\n", NULL, 10, 16, "'rest' has no meaning in a formula");
     check_complaint("j alone", HEAD MASK "rule (1,0)\ncentre j\n(1,0) rest\nend\n", NULL, 10, 8, "j, the sector, has no meaning here");
     check_complaint("j of a spectrum", HEAD MASK "rule (1,0)\n(1,0) spectrum j\nend\n", NULL, 10, 16, "j, the sector, has no meaning here");
     check_complaint("m of sectors", HEAD MASK "rule (1,0)\n(1,0) @ j m\ncentre rest\nend\n", NULL, 10, 11, "m, the frequency, has no meaning here");
-    check_complaint("m by way of a name", HEAD "let a = 1/(m+1)\n" MASK "rule (1,0)\n(1,0) @ j a\ncentre rest\nend\n", NULL, 11, 11, "the value of this name depends on something that has no meaning here");
+    check_complaint("m by way of a name", HEAD "let a = 1/(m+1)\n" MASK "rule (1,0)\n(1,0) @ j a\ncentre rest\nend\n", NULL, 11, 11, "the value of this name depends on m, the frequency, which has no meaning here");
     check_accepted("m by way of a name", HEAD "let a = 1/(m+1)\n" MASK "rule (1,0)\n(1,0) spectrum a\ncentre rest\nend\n");
-    check_complaint("three parts", HEAD MASK "rule (1,0)\n(1,0) spectrum 1,2,3\nend\n", NULL, 10, 19, "expected an operator or the end of the line, found ','");
+    check_complaint("three parts", HEAD MASK "rule (1,0)\n(1,0) spectrum 1,2,3\nend\n", NULL, 10, 19, "expected an operator or the end of the line (decimals have a point: 0.5), found ','");
     check_complaint("no imaginary part", HEAD MASK "rule (1,0)\n(1,0) spectrum 1,\nend\n", NULL, 10, 18, "expected a formula, but the line ends");
-    check_complaint("no offset", HEAD MASK "rule (1,0)\n(1,0) @ rest\nend\n", NULL, 10, 9, "expected j, or a whole number of sectors, found 'rest'");
+    check_complaint("no offset", HEAD MASK "rule (1,0)\n(1,0) @ rest\nend\n", NULL, 10, 9, "expected j, or a whole number of sectors with at most three digits, found 'rest'");
     check_complaint("centre of a dual mesh", HEAD_DUAL "mask symmetric\n(1/2,1/2) 9/16\n(1/2,3/2) 3/16\n(3/2,3/2) 1/16\nend\nrule centre\n", NULL, 10, 1, "a dual mesh has no point in its centre");
     check_complaint("source in the centre of a dual mesh", HEAD_DUAL "mask symmetric\n(1/2,1/2) 9/16\n(1/2,3/2) 3/16\n(3/2,3/2) 1/16\nend\nrule (1/2,1/2)\ncentre rest\n", NULL, 11, 1,
                     "a dual mesh has no point in its centre");
-    check_complaint("whole numbers on a dual mesh", HEAD_DUAL "mask symmetric\n(1,1) 9/16\nend\n", NULL, 6, 3, "expected halves such as 1/2 or -3/2 (points of dual meshes lie in the middle of squares), found ',1)'");
+    check_complaint("whole numbers on a dual mesh", HEAD_DUAL "mask symmetric\n(1,1) 9/16\nend\n", NULL, 6, 2, "expected halves such as 1/2 or -3/2 (points of dual meshes lie in the middle of squares), found '1,1)'");
     check_complaint("point outside a dual sector", HEAD_DUAL "mask symmetric\n(1/2,1/2) 9/16\n(1/2,3/2) 3/16\n(3/2,3/2) 1/16\nend\nrule (1/2,-1/2)\n", NULL, 10, 6,
-                    "expected a point of the sector: both coordinates at least 1/2 and at most 31/2, found '(1/2,-1/2)'");
+                    "expected a point of the sector: both coordinates at least 1/2 and at most 31/2 (this one is (1/2,1/2) of sector -1), found '(1/2,-1/2)'");
     check_complaint("halves on a quad mesh", HEAD_QUAD "mask symmetric\n(1/2,1/2) 9/16\nend\n", NULL, 6, 3, "expected ',', found '/2,1/2)'");
+    test_end();
+}
+
+/* ---- mirror symmetry ---- */
+
+static void check_mirror(bool symmetric, const char *rules, const char *head)
+{
+    char text[2000];
+    scheme s;
+    diagnostic d;
+    snprintf(text, sizeof text, "%s%s", head, rules);
+    CHECK(read_with(&s, text, NULL, 0, &d) == STATUS_OK, "%s: %ld:%ld: %s", rules, d.line, d.column, d.text);
+    CHECK(s.mirror_symmetric == symmetric, "%s: symmetric %d", rules, s.mirror_symmetric);
+    scheme_clear(&s);
+}
+
+static void test_mirror(void)
+{
+    static const char *const yes[] = {
+        "rule centre\nall (2,1) k/9\nall (1,2) k/9\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\n(1,0) @ -1 0.125\ncentre rest\nend\n",                  /* equal as numbers */
+        "rule (2,0)\n(1,1) k/8\n(1,1) @ -1 k/8\ncentre rest\nend\n",                        /* equal as formulas */
+        "rule (2,0)\n(2,1) @ 2 1/k\n(1,2) @ -3 1/k\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) a\n(1,0) @ 1 k/(k + 2)\ncentre rest\nend\n",                     /* names written out */
+        "rule (1,1)\n(2,1) k\n(1,2) k\n(2,2) @ 1 w\n(2,2) @ -1 w\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(j = 0: 1/4; else: (1/4 + cos(2*pi*j/k) + cos(4*pi*j/k)/2)/k)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(-2*j*pi/k*3)^2 + w\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(min(j, k - j) <= 1: 1/7; else: 2^-min(k - j, j))\ncentre rest\nend\n",
+        "rule (1,1)\n(1,1) @ j cos(pi*min(j, k - j)/k)/k\n(2,1) @ j 1/k\n(1,2) @ j 1/k\ncentre rest\nend\n",
+        "rule (1,0)\n(2,0) spectrum 1/(m + 1)\ncentre rest\nend\n",
+        "rule (2,2)\n(2,1) spectrum 2^-m\n(1,2) spectrum 2^-m\ncentre rest\nend\n",
+        "rule (1,0) when k = 4\n(1,0) @ 2 w\n(1,0) @ 1 v\n(1,0) @ 3 v\ncentre rest\nend\n",
+        "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ -1 w\n(1,1) rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
+    };
+    static const char *const no[] = {
+        "rule centre\nall (2,1) k/9\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\n(1,0) @ -1 1/7\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 1/8\ncentre rest\nend\n",
+        "rule (2,0)\n(1,1) k/8\n(1,1) @ 1 k/8\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) 1/8\n(1,0) @ -1 1/8\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 w\n(1,0) @ -1 rest\nend\n",
+        "rule (1,0)\n(1,0) @ 1 w\n(1,0) @ -1 v\ncentre rest\nend\n",                        /* two parameters may differ */
+        "rule (1,0)\n(1,0) @ j sin(2*pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(pi*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/3)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j/k^2)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cos(2*pi*j*j/k)/k\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j cases(j = 1: 1/7; else: 0)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j min(j, k)\ncentre rest\nend\n",
+        "rule (1,0)\n(1,0) @ j mod(j, 2)/k\ncentre rest\nend\n",
+        "rule (2,0)\n(1,1) @ j 1/k\ncentre rest\nend\n",                                     /* -j becomes -1 - j */
+        "rule (1,0)\n(1,0) spectrum 1/2, cases(m = 1: 1/5; else: 0)\ncentre rest\nend\n",
+        "rule (1,1)\n(1,0) spectrum 1/2\ncentre rest\nend\n",
+        "rule (2,1)\n(1,1) rest\nend\n",
+        "rule (1,0) when k = 5\n(1,0) @ 2 w\ncentre rest\nend\n",
+        "rule (1,0) when k <= 4\n(1,0) @ 2 w\ncentre rest\nend\n",
+        "rule (1,0) when k = 4 and k = 4\n(1,0) @ 2 w\ncentre rest\nend\n",
+        "rule (2,1)\n(1,0) @ 2 w\n(1,1) rest\nend\nrule (1,2)\n(1,0) @ 2 w\n(1,1) rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2) when k = 4\n(1,0) @ 1 rest\nend\n",
+        "rule (2,1) when k = 3\n(1,0) rest\nend\nrule (1,2)\n(2,2) rest\nend\nrule (1,2) when k = 3\n(1,0) @ 1 rest\nend\nrule (2,1)\n(2,2) rest\nend\n",
+    };
+    static const char head[] = HEAD "let a = k/(k + 2)\nparameter w = [0, 1/9]\nparameter v = [0, 1/9]\n" MASK;
+    test_begin("language-mirror");
+    for (size_t i = 0; i < sizeof yes / sizeof *yes; i++)
+        check_mirror(true, yes[i], head);
+    for (size_t i = 0; i < sizeof no / sizeof *no; i++)
+        check_mirror(false, no[i], head);
+    check_mirror(true, "rule (1/2,1/2)\n(1/2,1/2) rest\n(3/2,1/2) 1/8\n(1/2,3/2) 1/8\n(1/2,1/2) @ 1 w\n(1/2,1/2) @ -1 w\nend\n",
+                 HEAD_DUAL "parameter w = 1/7\nmask symmetric\n(1/2,1/2) 1\nend\n");
+    check_mirror(false, "rule (1/2,1/2)\n(1/2,1/2) rest\n(1/2,1/2) @ 1 w\nend\n", HEAD_DUAL "parameter w = 1/7\nmask symmetric\n(1/2,1/2) 1\nend\n");
     test_end();
 }
 
@@ -385,7 +484,7 @@ static void test_compositions(void)
     check_complaint("no number", HEAD_QUAD "compose\nrefine\nrepeat 1/2: smooth 1/4, 1/2\nend\n", NULL, 7, 1, "expected a whole number of repetitions, at most 34");
     check_complaint("below 0", HEAD_QUAD "compose\nrefine\nrepeat -1: smooth 1/4, 1/2\nend\n", NULL, 7, 1, "expected a whole number of repetitions, at most 34");
     check_complaint("too many", HEAD_QUAD "compose\nrefine\nrepeat 35: smooth 1/4, 1/2\nend\n", NULL, 7, 1, "expected a whole number of repetitions, at most 34");
-    check_complaint("no colon", HEAD_QUAD "compose\nrefine\nrepeat 2 smooth 1/4, 1/2\nend\n", NULL, 7, 10, "expected an operator or the end of the line, found 's'");
+    check_complaint("no colon", HEAD_QUAD "compose\nrefine\nrepeat 2 smooth 1/4, 1/2\nend\n", NULL, 7, 1, "expected 'repeat COUNT: smooth ALPHA, BETA', and there is no ':'");
     check_complaint("repeated average", HEAD_QUAD "compose\nrefine\nrepeat 2: average\nend\n", NULL, 7, 11, "expected ': smooth ALPHA, BETA', found 'average'");
     check_complaint("what is not repeated", HEAD_QUAD "compose\nrefine\nrepeat 0: smooth 1/4, nonsense\nend\n", NULL, 7, 23, "unknown word 'nonsense': expected a number, k, pi, a function or a name defined before");
     check_complaint("rule", HEAD_QUAD "compose\nrefine\nend\nrule centre\ncentre rest\nend\n", NULL, 8, 1, "expected nothing more, found 'rule'");
@@ -397,8 +496,10 @@ int main(void)
     test_definitions();
     test_intervals();
     test_limits();
+    test_work();
     test_conditions();
     test_sources();
+    test_mirror();
     test_compositions();
     return test_status();
 }

@@ -58,10 +58,14 @@ commands() {
   expect unknown-command 64 "unknown command 'proof'" proof
   expect unknown-option 64 '--verbose' --verbose
   expect help 0 'Usage: smoothcert COMMAND' --help
-  expect version 0 'certificate format 0' --version
+  expect version 0 'certificate format 1' --version
   expect version-name 0 'smoothcert ' --version
   expect prove-help 0 'Usage: smoothcert prove' prove --help
   expect schemes-help 0 'Usage: smoothcert schemes' schemes --help
+  expect help-alone 0 'Usage: smoothcert COMMAND' help
+  expect help-short 0 'Usage: smoothcert COMMAND' -h
+  expect help-of-command 0 'Usage: smoothcert regular' help regular
+  expect help-of-command-short 0 'Usage: smoothcert spectrum' spectrum -h
   expect schemes 0 loop schemes
   expect schemes-loop 0 'scheme loop' schemes loop
   same schemes-loop-is-the-file stdout "$loop"
@@ -77,7 +81,7 @@ usage_of_prove() {
   expect no-valence 64 'no valences given' prove loop
   expect value-missing 64 '--valence' prove loop --valence
   expect unknown-prove-option 64 '--fast' prove loop --valence 3 --fast
-  for list in '' 2 5..4 4097 3..4097 3,,4 '3,' all inf 8..inf 3..x 3-5 ' 3' 99999999999999999999; do
+  for list in '' 2 5..4 1000000001 3..1000000001 3..200000 3,,4 '3,' all inf 8..inf 3..x 3-5 ' 3' 99999999999999999999; do
     expect "valence-'$list'" 64 "--valence $list: " prove loop --valence "$list" --out none
   done
   for bits in '' 63 0 -64 8193 x 64x 1e3 99999999999999999999; do
@@ -125,7 +129,7 @@ figures() {
 
 archives() {
   expect archive 0 '; evidence/valence-5.cert' prove loop --valence 3,5 --out evidence
-  contents archive-contents evidence scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log
+  contents archive-contents evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log
   sed -e 's/#.*//' -e 's/^ *//' -e 's/  */ /g' -e 's/ *$//' -e '/^$/d' "$loop" >canonical
   same archive-scheme evidence/scheme.scheme canonical
   "$SMOOTHCERT_CHECK" --scheme evidence/scheme.scheme --valence 5 --claim c1 evidence/valence-5.cert >stdout 2>stderr
@@ -133,7 +137,7 @@ archives() {
   cp evidence/valence-5.cert before
   expect archive-again 0 'proved' prove loop --valence 5,6 --out evidence
   same archive-same-bytes evidence/valence-5.cert before
-  contents archive-grows evidence scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
+  contents archive-grows evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
 
   expect default-archive 0 '; smoothcert-loop/valence-4.cert' prove loop --valence 4
   expect by-file 0 '; by-file/valence-4.cert' prove "$loop" --valence 4 --out by-file
@@ -145,11 +149,18 @@ archives() {
 
   sed 's/^scheme .*/scheme other/' "$loop" >other.scheme
   expect other-scheme 65 'evidence holds evidence for another scheme' prove other.scheme --valence 3 --out evidence
-  contents other-scheme-changes-nothing evidence scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
+  contents other-scheme-changes-nothing evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
   cp evidence/valence-3.cert before
   expect undecided-archive 2 'undecided' prove loop --valence 3,8 --max-level 1 --max-precision 0 --out undecided
   [ -s undecided/valence-3.log ] && [ ! -e undecided/valence-3.cert ]
   holds undecided-leaves-no-certificate $? 'a certificate, or no log'
+
+  [ "$(sed 's/ [0-9a-f]\{64\} / HASH /' evidence/index | tr '\n' ';')" = '3 proved HASH valence-3.cert;5 proved HASH valence-5.cert;6 proved HASH valence-6.cert;' ]
+  holds index $? "$(head -n 1 evidence/index)"
+  [ "$(sed -n 's/^5 proved \([^ ]*\) .*/\1/p' evidence/index)" = "$(sha256sum evidence/valence-5.cert | sed 's/ .*//')" ]
+  holds index-digest $? "$(grep '^5' evidence/index)"
+  [ "$(sed 's/ [0-9a-f]\{64\} .*//' undecided/index | tr '\n' ';')" = '3 undecided;8 proved;' ]
+  holds index-undecided $? "$(head -n 1 undecided/index)"
 
   # Every line of a log is an object by itself.
   [ "$(grep -c '^{"valence":3,.*}$' evidence/valence-3.log)" = "$(wc -l <evidence/valence-3.log | tr -d ' ')" ]

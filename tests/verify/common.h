@@ -47,15 +47,15 @@ static inline void subject_clear(subject *z)
 }
 
 /* Escalation up to max_precision; max_precision 0: hardware intervals only. */
-static inline limits escalation(long max_precision) { return (limits){0, max_precision, 0, false}; }
+static inline limits escalation(long max_precision) { return (limits){.max_precision = max_precision}; }
 /* Balls of one precision only. */
-static inline limits balls(long precision) { return (limits){precision, precision, 0, false}; }
+static inline limits balls(long precision) { return (limits){.precision = precision, .max_precision = precision}; }
 
 static inline void decide(decision *z, const subject *s, long valence, limits l)
 {
     decision_init(z);
-    decide_valence(z, &s->problem, valence, &l);
-    CHECK(!z->no_memory, "no memory at valence %ld", valence);
+    decide_valence(z, &s->problem, valence, NULL, &l);
+    CHECK(z->outcome != OUTCOME_NO_MEMORY, "no memory at valence %ld", valence);
 }
 
 #endif

@@ -60,6 +60,10 @@ C1 on the regular complex: proved by |S_2a12^1| < 1, |S_2a13^1| < 1
 
 values C = 1/2 = 0.5 K = 1: no weight is negative
 derivatives C1 = C2 = 1/2 = 0.5 K1, K2 = 1: no weight is negative
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 7/8 = 0.875, C1 = C2 = 3/2 = 1.5
+as proved C = 3/4 = 0.75, C1 = C2 = 1
 EOF
 
 prints butterfly butterfly.scheme --all --max-power 5 <<EOF
@@ -76,6 +80,10 @@ C1 on the regular complex: proved by |S_2a12^2| < 1, |S_2a13^2| < 1
 
 values C = 1/2 = 0.5 K <= 777/512 < 1.5176 by windows of S^6
 derivatives C1 = C2 = 3/4 = 0.75 K1, K2 <= 2149/1024 < 2.0987 by windows of S_2a1^7
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 3/4 = 0.75, C1 = C2 = 5/4 = 1.25
+as proved C = 1/2 = 0.5, C1 = C2 = 1
 EOF
 
 prints json butterfly.scheme --json --set w=0 --max-power 2 <<EOF
@@ -89,12 +97,16 @@ prints json butterfly.scheme --json --set w=0 --max-power 2 <<EOF
     {"power": 2, "a1": "1/4", "2a12": "1", "2a13": "1"}
   ],
   "comparison": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_thesis": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_decomposition": {"C": "0", "C1": "0", "C2": "0"},
+  "comparison_thesis_is_bound": true,
   "stability": {
     "K": {"method": "none"},
     "K1": {"method": "none"},
     "K2": {"method": "none"}
   },
-  "c1_on_regular_complex": "undecided"
+  "refutation": {"modulus_at_least": 0.5, "frequency": 3, "seen_at": [1, 0]},
+  "c1_on_regular_complex": "refuted"
 }
 EOF
 
@@ -104,18 +116,35 @@ linear: triangles, 7 mask points, equal to its mirror image
 N |S_a1^N| |S_2a12^N| |S_2a13^N|
 1 1/2 = 0.5 1 1
 
-C1 on the regular complex: undecided; no power up to 1 has norms below 1
+C1 on the regular complex: no; besides those of constant and linear functions there is an
+eigenvalue of modulus >= 0.5 (frequency 3), and its eigenfunction is not 0
 
 values C = 0 no bound of K
 derivatives C1 = C2 = 0 no bound of K1, K2
+
+The least constants are above. By decompositions (Zorin's thesis, 4.22 to 4.27):
+as printed C = 0, C1 = C2 = 0
+as proved C = 0, C1 = C2 = 0
 EOF
 
 prints uneven uneven.scheme <<EOF
 uneven: quads, dual, 16 mask points, equal to its mirror image
 
-C1 on the regular complex: undecided; the mask is not divisible by 1 + z^-d in the directions
-needed, and the criterion by norms is silent
+The mask is not divisible by 1 + z^-d in the directions needed, and there are no norms.
+
+C1 on the regular complex: no; besides those of constant and linear functions there is an
+eigenvalue of modulus >= 0.5 (frequency 2), and its eigenfunction is not 0
 EOF
+
+# Four times the tension is an eigenvalue: just below 1/2 nothing is known, 1 is too much even to converge.
+answers() { # NAME PATTERN ARGUMENT...
+  name=$1 pattern=$2
+  shift 2
+  if "$SMOOTHCERT" regular "$@" | grep -q "$pattern"; then echo "PASS regular-$name"; else echo "FAIL regular-$name: no '$pattern'"; fi
+}
+answers refuted 'modulus >= 0.599609375 (frequency 0)' butterfly.scheme --set w=0.15
+answers undecided 'undecided; no power up to 6' butterfly.scheme --set w=127/1024
+answers divergent 'does not change there' butterfly.scheme --set w=1/4
 
 refuses no-scheme 64
 refuses two-schemes 64 loop loop

@@ -8,7 +8,7 @@
 static void make_certificate(decision *d, const subject *loop, long valence, limits l)
 {
     decide(d, loop, valence, l);
-    CHECK(d->verdict == VERDICT_PROVED && d->certificate.length > 0, "valence %ld is not proved: %s", valence, d->findings.reason);
+    CHECK(d->verdict == VERDICT_PROVED && d->certificate.length > 0, "valence %ld is not proved: %s", valence, decision_obstacle(d)->reason);
 }
 
 /* Reads the bytes as a certificate of Loop's scheme and says in which line they are wrong, 0 if in none. */

@@ -12,12 +12,12 @@ static void describe(char *text, size_t size, const char *list)
     size_t at = 0;
     text[0] = '\0';
     if (complaint) {
-        CHECK(v.count == 0, "'%s' is refused, but %zu valences are left", list, v.count);
+        CHECK(v.count == 0, "'%s' is refused, but %ld valences are left", list, v.count);
         CHECK(complaint[0] != '\0', "'%s' is refused without a reason", list);
         snprintf(text, size, "!");
     }
-    for (size_t i = 0; i < v.count && at < size; i++)
-        at += (size_t)snprintf(text + at, size - at, i ? " %ld" : "%ld", v.valence[i]);
+    for (long i = 0; i < v.count && at < size; i++)
+        at += (size_t)snprintf(text + at, size - at, i ? " %ld" : "%ld", valences_get(&v, i));
 }
 
 static void test_lists(void)
@@ -34,6 +34,9 @@ static void test_lists(void)
         {"5,5,5", "5"},
         {"3..6,5..8", "3 4 5 6 7 8"},
         {"4094..4096", "4094 4095 4096"},
+        {"3..5,6..7", "3 4 5 6 7"},
+        {"9,3..4,4..5", "3 4 5 9"},
+        {"999999999..1000000000", "999999999 1000000000"},
     };
     char text[128];
     test_begin("valences-lists");
@@ -48,10 +51,11 @@ static void test_all(void)
 {
     valences v;
     test_begin("valences-all");
-    CHECK(!valences_read(&v, "3..4096"), "3..4096 is refused");
-    CHECK(v.count == CHOICES_MAX_VALENCE - CHOICES_MIN_VALENCE + 1, "3..4096 are %zu valences", v.count);
-    for (size_t i = 0; i < v.count; i++)
-        CHECK(v.valence[i] == CHOICES_MIN_VALENCE + (long)i, "valence %ld at place %zu", v.valence[i], i);
+    CHECK(!valences_read(&v, "3..100002"), "3..100002 is refused");
+    CHECK(v.count == VALENCES_MAX, "3..100002 are %ld valences", v.count);
+    for (long i = 0; i < v.count; i++)
+        CHECK(valences_get(&v, i) == CHOICES_MIN_VALENCE + i, "valence %ld at place %ld", valences_get(&v, i), i);
+    CHECK(valences_read(&v, "3..100003"), "too many valences are read");
     test_end();
 }
 
@@ -59,7 +63,7 @@ static void test_bad_lists(void)
 {
     static const char *const bad[] = {
         "", " ", ",", "3,", ",3", "3,,4", "..", "3..", "..5", "3...5", "3.5", "3..5..7", "5..4", "2", "0", "1..3", "2..5", "-3", "+3",
-        " 3", "3 ", "3, 4", "3 4", "3;4", "3-5", "3..5x", "x", "all", "inf", "8..inf", "0x10", "1e2", "4097", "3..4097", "99999999999999999999",
+        " 3", "3 ", "3, 4", "3 4", "3;4", "3-5", "3..5x", "x", "all", "inf", "8..inf", "0x10", "1e2", "1000000001", "3..1000000001", "99999999999999999999",
         "18446744073709551619", "4294967299", "3..18446744073709551619", "18446744073709551619..20", "3\n",
     };
     char text[128];

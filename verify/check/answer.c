@@ -48,12 +48,3 @@ noreturn void cannot_check_at(const char *file, int line, int column,
     va_end(arguments);
     exit(ANSWER_CANNOT_CHECK);
 }
-
-void *allocate(size_t count, size_t size)
-{
-    void *memory = calloc(count > 0 ? count : 1, size);
-
-    if (memory == NULL)
-        cannot_check("no memory left");
-    return memory;
-}

@@ -26,8 +26,4 @@ noreturn void cannot_check(const char *format, ...);
 noreturn void cannot_check_at(const char *file, int line, int column,
                               const char *format, ...);
 
-/* Zeroed memory for count objects of the given size; never NULL.  free() gives
- * it back. */
-void *allocate(size_t count, size_t size);
-
 #endif

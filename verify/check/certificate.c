@@ -5,17 +5,20 @@
 #include "answer.h"
 #include "sha256.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum {
-    MIN_VALENCE = 3, MAX_VALENCE = 4096,
+    MIN_VALENCE = 3, MAX_VALENCE_0 = 4096, MAX_VALENCE_1 = 1000000000,
     MIN_GRID = 64, MAX_GRID = 8192, BITS_ABOVE_GRID = 64,
-    MAX_CONTRACTION = 10, MAX_POWER = 10000, MAX_TOTAL_POWER = 200000,
+    MAX_CONTRACTION = 10, MAX_STABILITY_POWER = 9,
+    MAX_UNKNOWNS_0 = 512, MAX_UNKNOWNS_1 = 1024, MAX_PIVOT = 999999999,
+    MAX_BLOCKS = 10000, MAX_POWER = 10000, MAX_TOTAL_POWER = 200000,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
-    MAX_DECIMAL = 9                                /* digits; all limits have less */
+    MAX_DECIMAL = 15                               /* digits; all limits have less */
 };
+
+static const int64_t MAX_STABILITY = INT64_C(1) << 40;
 
 /* A record: one line, whose tokens are taken from the left. */
 struct record {
@@ -96,11 +99,11 @@ static void end_record(const struct record *r)
  * ------ */
 
 /* A decimal number in [low, high]. */
-static int read_decimal(struct record *r, int low, int high)
+static int64_t read_decimal(struct record *r, int64_t low, int64_t high)
 {
     size_t size;
     const char *token = next_token(&size, r);
-    int value = 0;
+    int64_t value = 0;
 
     for (size_t i = 0; i < size; i++)
         if (token[i] < '0' || token[i] > '9' || (i == 0 && size > 1 && token[0] == '0'))
@@ -108,8 +111,8 @@ static int read_decimal(struct record *r, int low, int high)
     for (size_t i = 0; i < size && size <= MAX_DECIMAL; i++)
         value = 10 * value + (token[i] - '0');
     if (size > MAX_DECIMAL || value < low || value > high)
-        cannot_check_at(r->c->file, r->line, 0,
-                        "%s: expected a number in %d..%d", r->name, low, high);
+        cannot_check_at(r->c->file, r->line, 0, "%s: expected a number in %lld..%lld",
+                        r->name, (long long)low, (long long)high);
     return value;
 }
 
@@ -121,7 +124,7 @@ static void read_hex(integer *out, struct record *r, int bits)
 
     if (!integer_read_hex(out, token, size))
         rejected(r->c->file, r->line, "%s: expected a hexadecimal number", r->name);
-    if (integer_bits(out) > bits)
+    if (integer_bits(*out) > bits)
         cannot_check_at(r->c->file, r->line, 0,
                         "%s: expected a magnitude below 2^%d", r->name, bits);
 }
@@ -136,59 +139,71 @@ static const char *read_word(size_t *size, struct record *r)
     return token;
 }
 
-/* The record `name D` */
-static int read_decimal_record(struct certificate *c, const char *name, int low,
-                               int high, int *line)
+/* Begins the record and remembers its line. */
+static struct record begin_noted(struct certificate *c, const char *name, int *line)
 {
     struct record r;
-    int value;
 
     begin_record(&r, c, name);
-    value = read_decimal(&r, low, high);
-    end_record(&r);
     *line = r.line;
+    return r;
+}
+
+/* The record `name D` */
+static int64_t read_decimal_record(struct certificate *c, const char *name, int64_t low,
+                                   int64_t high, int *line)
+{
+    struct record r = begin_noted(c, name, line);
+    int64_t value = read_decimal(&r, low, high);
+
+    end_record(&r);
     return value;
 }
 
-/* Records
- * ------- */
+/* Is the next record of this name? */
+static bool next_is(const struct certificate *c, const char *name)
+{
+    size_t length = strlen(name);
+
+    return (size_t)(c->end - c->next) > length && memcmp(c->next, name, length) == 0 &&
+           c->next[length] == ' ';
+}
+
+/* The subject
+ * ----------- */
 
 static void read_version(struct certificate *c)
 {
-    struct record r;
-    int version;
+    int line;
+    int64_t version = read_decimal_record(c, "smoothcert-certificate", 0, 999999999, &line);
 
-    begin_record(&r, c, "smoothcert-certificate");
-    version = read_decimal(&r, 0, 999999999);
-    end_record(&r);
-    if (version != 0)
-        cannot_check_at(c->file, r.line, 0,
-                        "certificates of version %d; this checker knows version 0",
-                        version);
+    if (version > 1)
+        cannot_check_at(c->file, line, 0, "certificates of version %d; this checker "
+                        "knows versions 0 and 1", (int)version);
+    c->version = (int)version;
 }
 
 static void read_scheme_text(struct certificate *c)
 {
     struct record r;
-    int lines = read_decimal_record(c, "scheme", 0, 65536, &c->line_of.scheme);
+    int64_t lines = read_decimal_record(c, "scheme", 0, 65536, &c->line_of.scheme);
 
     c->scheme_text = c->next;
-    for (int i = 0; i < lines; i++)
+    for (int64_t i = 0; i < lines; i++)
         next_line(&r, c);
     c->scheme_size = (size_t)(c->next - c->scheme_text);
 }
 
-static void read_claim(struct certificate *c)
+/* The record `name WORD` of one word */
+static bool read_word_record(struct certificate *c, const char *name, const char *word,
+                             int *line)
 {
-    struct record r;
+    struct record r = begin_noted(c, name, line);
     size_t size;
-    const char *token;
+    const char *token = next_token(&size, &r);
 
-    begin_record(&r, c, "claim");
-    token = next_token(&size, &r);
     end_record(&r);
-    c->claims_c1 = token_is(token, size, "c1");
-    c->line_of.claim = r.line;
+    return token_is(token, size, word);
 }
 
 void certificate_read_subject(struct certificate *out, const char *file,
@@ -202,96 +217,186 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
-    read_claim(out);
-    out->valence = read_decimal_record(out, "valence", MIN_VALENCE, MAX_VALENCE,
+    out->claims_c1 = read_word_record(out, "claim", "c1", &out->line_of.claim);
+    out->valence = read_decimal_record(out, "valence", MIN_VALENCE,
+                                       out->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1,
                                        &out->line_of.valence);
-    out->grid = read_decimal_record(out, "grid", MIN_GRID, MAX_GRID,
-                                    &out->line_of.grid);
+    out->grid = (int)read_decimal_record(out, "grid", MIN_GRID, MAX_GRID,
+                                         &out->line_of.grid);
+}
+
+/* The choices
+ * ----------- */
+
+static void read_form(struct certificate *c)
+{
+    const char *before = c->next;
+    int line = c->line;
+
+    c->real = read_word_record(c, "form", "real", &c->line_of.form);
+    if (c->real)
+        return;
+    c->next = before;
+    c->line = line;
+    if (!read_word_record(c, "form", "complex", &c->line_of.form))
+        rejected(c->file, line, "form: expected `real` or `complex`");
+}
+
+void certificate_read_form(struct certificate *out, bool plainly_regular)
+{
+    struct record r = begin_noted(out, "contraction", &out->line_of.contraction);
+
+    for (int i = 0; i < 3; i++)
+        out->contraction[i] = (int)read_decimal(&r, 1, MAX_CONTRACTION);
+    end_record(&r);
+    out->real = true;
+    for (int i = 0; i < 3; i++)
+        out->stability[i] = 1024;
+    if (out->version == 0 || plainly_regular)
+        return;
+    r = begin_noted(out, "stability", &out->line_of.stability);
+    for (int i = 0; i < 3; i++) {
+        out->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
+        out->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
+    }
+    end_record(&r);
+    read_form(out);
 }
 
 static void read_eigenpair(struct certificate *c)
 {
-    int bits = c->grid + BITS_ABOVE_GRID;
+    int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, line;
     struct record r;
 
     /* Beyond n: rejected where it is used, not a limit of the format. */
-    c->pivot = read_decimal_record(c, "pivot", 0, 999999999, &c->line_of.pivot);
+    c->pivot = (int)read_decimal_record(c, "pivot", 0, MAX_PIVOT, &c->line_of.pivot);
 
-    begin_record(&r, c, "eigenvalue");
-    read_hex(&c->eigenvalue, &r, bits);
+    r = begin_noted(c, "eigenvalue", &c->line_of.eigenvalue);
+    for (int i = 0; i < parts; i++)
+        read_hex(&c->eigenvalue[i], &r, bits);
     end_record(&r);
-    c->line_of.eigenvalue = r.line;
 
-    c->eigenvector = allocate((size_t)c->n, sizeof c->eigenvector[0]);
-    begin_record(&r, c, "eigenvector");
-    for (int i = 0; i < c->n - 1; i++)
+    c->eigenvector = allocate((size_t)c->size, sizeof c->eigenvector[0]);
+    r = begin_noted(c, "eigenvector", &line);
+    for (int i = 0; i < parts * (c->n - 1); i++)
         read_hex(&c->eigenvector[i], &r, bits);
     end_record(&r);
 
-    begin_record(&r, c, "radius");
+    r = begin_noted(c, "radius", &c->line_of.radius);
     read_hex(&c->radius, &r, bits);
     end_record(&r);
-    c->line_of.radius = r.line;
 
-    c->inverse = allocate((size_t)(c->n * c->n), sizeof c->inverse[0]);
-    for (int i = 0; i < c->n; i++) {
+    c->inverse = allocate((size_t)c->size * (size_t)c->size, sizeof c->inverse[0]);
+    for (int i = 0; i < c->size; i++) {
         begin_record(&r, c, "inverse");
-        for (int j = 0; j < c->n; j++)
-            read_hex(&c->inverse[i * c->n + j], &r, INVERSE_BITS_LIMIT);
+        for (int j = 0; j < c->size; j++)
+            read_hex(&c->inverse[i * c->size + j], &r, INVERSE_BITS_LIMIT);
         end_record(&r);
     }
+
+    if (c->real)
+        return;
+    r = begin_noted(c, "modulus", &c->line_of.modulus);
+    read_hex(&c->modulus, &r, bits);
+    end_record(&r);
 }
 
-static void read_powers(struct certificate *c)
+static void check_total_power(const struct certificate *c)
 {
-    int count = c->valence / 2 + 1, total = 0;     /* at most 2049 * MAX_POWER */
+    int total = 0;                                 /* at most 10000 * MAX_POWER */
+
+    for (int i = 0; i < c->blocks; i++)
+        total += c->block[i].power;
+    if (total > MAX_TOTAL_POWER)
+        cannot_check_at(c->file, c->block[0].line, 0,
+                        "expected powers whose sum is at most %d", MAX_TOTAL_POWER);
+}
+
+/* Version 0: one record with a power for each frequency. */
+static void read_powers_0(struct certificate *c)
+{
     struct record r;
 
-    c->power = allocate((size_t)count, sizeof c->power[0]);
+    c->blocks = (int)(c->valence / 2) + 1;
+    c->block = allocate((size_t)c->blocks, sizeof c->block[0]);
     begin_record(&r, c, "power");
-    for (int m = 0; m < count; m++) {
-        c->power[m] = read_decimal(&r, 0, MAX_POWER);
-        total += c->power[m];
-    }
+    for (int m = 0; m < c->blocks; m++)
+        c->block[m] = (struct block_record) {
+            m, m, (int)read_decimal(&r, 0, MAX_POWER), r.line
+        };
     end_record(&r);
-    c->line_of.power = r.line;
-    if (total > MAX_TOTAL_POWER)
-        cannot_check_at(c->file, r.line, 0, "expected powers whose sum is at most %d",
-                        MAX_TOTAL_POWER);
+}
+
+/* 0; 1; then without gaps up to floor(k/2). */
+static void read_blocks(struct certificate *c)
+{
+    int64_t next = 0, half = c->valence / 2;
+
+    c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
+    while (c->blocks == 0 || next_is(c, "block")) {
+        struct block_record *b = &c->block[c->blocks];
+        struct record r = begin_noted(c, "block", &b->line);
+
+        b->first = read_decimal(&r, 0, MAX_VALENCE_1);
+        b->last = read_decimal(&r, 0, MAX_VALENCE_1);
+        b->power = (int)read_decimal(&r, 0, MAX_POWER);
+        end_record(&r);
+        if (b->first != next || b->last < b->first || b->last > half ||
+            (next <= 1 && b->last > next))
+            rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
+                     "ranges without gaps up to %lld", (long long)half);
+        next = b->last + 1;
+        if (++c->blocks == MAX_BLOCKS && next_is(c, "block"))
+            cannot_check_at(c->file, b->line, 0, "expected at most %d blocks", MAX_BLOCKS);
+    }
+    if (next <= half)
+        rejected(c->file, c->line, "block: the frequencies from %lld on are missing",
+                 (long long)next);
 }
 
 static void read_decisions(struct certificate *c)
 {
-    struct record r;
+    struct record r = begin_noted(c, "halfplane", &c->line_of.halfplane);
     integer component;
 
-    begin_record(&r, c, "halfplane");
     for (int i = 0; i < 2; i++) {
         read_hex(&component, &r, NORMAL_BITS);
-        if (!integer_get_small(&c->normal[i], &component, INT64_C(1) << NORMAL_BITS))
+        if (!integer_get_small(&c->normal[i], component, INT64_C(1) << NORMAL_BITS))
             rejected(c->file, r.line, "halfplane: expected a small number");
     }
     end_record(&r);
-    c->line_of.halfplane = r.line;
 
-    begin_record(&r, c, "regularity");
+    r = begin_noted(c, "regularity", &c->line_of.regularity);
     c->regularity = read_word(&c->regularity_size, &r);
     end_record(&r);
-    c->line_of.regularity = r.line;
 
-    begin_record(&r, c, "boundary");
+    r = begin_noted(c, "boundary", &c->line_of.boundary);
     c->boundary = read_word(&c->boundary_size, &r);
     end_record(&r);
-    c->line_of.boundary = r.line;
 
     if (c->regularity_size + c->boundary_size > MAX_ELEMENTS)
         cannot_check_at(c->file, c->line_of.regularity, 0,
                         "expected at most %d elements", MAX_ELEMENTS);
 }
 
+void certificate_read_choices(struct certificate *out, int n)
+{
+    out->n = n;
+    out->size = out->real ? n : 2 * n;
+    if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
+        cannot_check("%s: blocks of %d unknowns", out->file, out->size);
+    read_eigenpair(out);
+    if (out->version == 0)
+        read_powers_0(out);
+    else
+        read_blocks(out);
+    check_total_power(out);
+    read_decisions(out);
+}
+
 /* `records` counts the lines above it, `sha256` is the hash of all bytes above
  * it, and nothing follows. */
-static void read_end(struct certificate *c)
+void certificate_read_end(struct certificate *c)
 {
     struct record r;
     size_t size;
@@ -310,27 +415,4 @@ static void read_end(struct certificate *c)
         rejected(c->file, r.line, "sha256: the hash of the lines above is %s", hash);
     if (c->next != c->end)
         rejected(c->file, c->line, "expected the end of the file");
-}
-
-void certificate_read_choices(struct certificate *out, int n)
-{
-    struct record r;
-
-    out->n = n;
-    begin_record(&r, out, "contraction");
-    for (int i = 0; i < 3; i++)
-        out->contraction[i] = read_decimal(&r, 1, MAX_CONTRACTION);
-    end_record(&r);
-    out->line_of.contraction = r.line;
-    read_eigenpair(out);
-    read_powers(out);
-    read_decisions(out);
-    read_end(out);
-}
-
-void certificate_clear(struct certificate *c)
-{
-    free(c->eigenvector);
-    free(c->inverse);
-    free(c->power);
 }

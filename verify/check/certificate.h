@@ -12,30 +12,44 @@
 
 #include "integer.h"
 
+/* P for the frequencies first..last */
+struct block_record {
+    int64_t first, last;
+    int power;
+    int line;
+};
+
 struct certificate {
     const char *file;
 
+    int version;
     const char *scheme_text;                       /* canonical, it says */
     size_t scheme_size;
     bool claims_c1;
-    int valence;                                   /* k */
+    int64_t valence;                               /* k */
     int grid;                                      /* g */
 
     int contraction[3];
+    int stability_power[3];                        /* n_i, T_i */
+    int64_t stability[3];
+    bool real;                                     /* the form */
     int pivot;                                     /* from 1 on */
-    integer eigenvalue;
-    int n;                                         /* number of unknowns */
-    integer *eigenvector;                          /* n - 1 */
+    integer eigenvalue[2];                         /* real form: [0] */
+    int n;                                         /* number of unknowns of a block */
+    int size;                                      /* N: n or, complex form, 2 n */
+    integer *eigenvector;                          /* n - 1, or twice as many */
     integer radius;
-    integer *inverse;                              /* n x n, row by row */
-    int *power;                                    /* 0 .. floor(k/2) */
+    integer *inverse;                              /* N x N, row by row */
+    integer modulus;                               /* complex form */
+    int blocks;
+    struct block_record *block;
     int64_t normal[2];
     const char *regularity, *boundary;             /* words over {0,1} */
     size_t regularity_size, boundary_size;
 
     struct {                                       /* for messages */
-        int scheme, claim, valence, grid, contraction, pivot, eigenvalue, radius;
-        int power, halfplane, regularity, boundary;
+        int scheme, claim, valence, grid, contraction, stability, form, pivot;
+        int eigenvalue, radius, modulus, halfplane, regularity, boundary;
     } line_of;
 
     const char *text, *end, *next;                 /* still to be read: next */
@@ -46,9 +60,12 @@ struct certificate {
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size);
 
-/* All other records, for blocks of n unknowns. */
+/* `contraction` and, if not plainly regular, `stability` and `form`. */
+void certificate_read_form(struct certificate *out, bool plainly_regular);
+
+/* What follows up to `boundary`, for blocks of n unknowns. */
 void certificate_read_choices(struct certificate *out, int n);
 
-void certificate_clear(struct certificate *c);
+void certificate_read_end(struct certificate *out);
 
 #endif

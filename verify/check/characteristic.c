@@ -3,176 +3,164 @@
 #include "characteristic.h"
 
 #include "answer.h"
+#include "influence.h"
+
+#include <string.h>
 
 /* The ring
  * -------- */
 
-static void raise_to(int *most, int candidate)
+static bool is_decided_on(enum element_kind kind, enum mesh mesh, bool boundary)
 {
-    if (candidate > *most)
-        *most = candidate;
+    if (mesh == TRIANGLE)
+        return boundary ? kind == ELEMENT_E : kind == ELEMENT_U || kind == ELEMENT_D;
+    return boundary ? kind == ELEMENT_G || kind == ELEMENT_H : kind == ELEMENT_S;
 }
 
-/* omega: how far from an element its points are. */
-static int used_reach(const struct characteristic *c)
+/* How far from an element its labels are. */
+static int used_reach(const struct refinable *f, enum mesh mesh)
 {
-    const struct refinable *f[2] = { &c->first, &c->second };
-    int omega = window_reach(&c->value.window[ELEMENT_E], ELEMENT_E, 0, 0);
+    bool boundary = f->shift_a == 0 && f->shift_b == 0;
+    int out = 0;
 
-    for (int i = 0; i < 2; i++) {
-        raise_to(&omega, window_reach(&f[i]->window[ELEMENT_U], ELEMENT_U,
-                                      f[i]->shift_a, f[i]->shift_b));
-        raise_to(&omega, window_reach(&f[i]->window[ELEMENT_D], ELEMENT_D,
-                                      f[i]->shift_a, f[i]->shift_b));
+    for (int kind = 0; kind < ELEMENT_KINDS; kind++) {
+        int reach;
+
+        if (!is_decided_on((enum element_kind)kind, mesh, boundary))
+            continue;
+        reach = window_reach(&f->window[kind], (enum element_kind)kind, mesh, f->shift_a,
+                             f->shift_b);
+        out = reach > out ? reach : out;
     }
-    return omega;
+    return out;
 }
 
-static int ring_radius(int omega, int h)
+static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 {
-    int r = 1;
+    int r = 1, more = mesh == TRIANGLE ? 1 : 0;
 
-    while (!(omega <= r && omega + h < 2 * (r + 1) && omega < 2 * r))
+    while (!(omega < r + more && omega + h < 2 * (r + more) && omega + influence < 2 * r))
         r++;
     return r;
-}
-
-/* U(a,b) has its vertices at a + b and a + b + 1, D(a,b) at a + b + 1 and
- * a + b + 2; the elements lie in r <= a + b <= 2r.  E(a,b) lies at a + b + 1. */
-void characteristic_range(int *first, int *last, const struct characteristic *c,
-                          enum element_kind kind)
-{
-    int r = c->radius;
-
-    if (kind == ELEMENT_U) {
-        *first = r;
-        *last = 2 * r - 1;
-    } else if (kind == ELEMENT_D) {
-        *first = r - 1;
-        *last = 2 * r - 2;
-    } else {
-        *first = 2 * r - 1;
-        *last = 2 * r - 1;
-    }
 }
 
 /* The net
  * ------- */
 
-/* V on the rings after R: V is an eigenvector of the scheme on the whole complex,
- * so V = (new value)/L.  Once the rings 1..q are known, the new values on the
- * rings up to 2q + 1 - h use no others. */
-static void extend_net(struct net *net, const struct block *block,
-                       const interval *eigenvalue, int h)
+static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
 {
-    int known = block->rings;
+    interval a = pair->real, b = pair->imaginary, d;
+    struct pair out;
 
-    while (known < net->rings) {
-        int reach = 2 * known + 1 - h;
-
-        if (reach <= known)
-            cannot_check("the checker cannot extend the characteristic net");
-        for (int ring = known + 1; ring <= reach && ring <= net->rings; ring++) {
-            for (int b = 0; b < ring; b++) {
-                struct pair *value = net_at(net, ring - b, b);
-
-                net_new_value(value, net, block, ring - b, b);
-                grid_div(&value->x, &value->x, eigenvalue, block->g);
-                grid_div(&value->y, &value->y, eigenvalue, block->g);
-            }
-        }
-        known = reach;
+    if (real) {
+        out.x = grid_div(v.x, a, g);
+        out.y = grid_div(v.y, a, g);
+        return out;
     }
+    d = interval_add(grid_mul(a, a, g), grid_mul(b, b, g));
+    out.x = grid_div(interval_add(grid_mul(v.x, a, g), grid_mul(v.y, b, g)), d, g);
+    out.y = grid_div(interval_sub(grid_mul(v.y, a, g), grid_mul(v.x, b, g)), d, g);
+    return out;
 }
 
-void characteristic_at(struct pair *out, const struct characteristic *c,
-                       const struct refinable *f, int a, int b)
+/* The net with more rings: V is an eigenvector of the scheme on the whole complex, so
+ * V = (new value)/L wherever new values use known ones only. */
+static struct net extend_net(const struct net *old, const struct block *block,
+                             const struct eigenpair *pair, int rings)
 {
-    struct pair here;
+    enum mesh mesh = old->mesh;
+    struct net out, new;
 
-    net_value(out, &c->net, &c->block->twist, a + f->shift_a, b + f->shift_b,
-              c->block->g);
+    while (scheme_needs(block->v->scheme, rings) > old->rings)
+        rings--;
+    if (rings <= old->rings)
+        cannot_check("the checker cannot extend the characteristic net");
+    out = net_make(mesh, rings);
+    new = net_subdivide(old, block, rings);
+    for (int a = 1; a <= rings; a++)
+        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
+            net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
+                ? net_value(old, block, a, b)
+                : divide(net_value(&new, block, a, b), pair, block->real, block->v->g));
+    return out;
+}
+
+struct pair characteristic_at(const struct characteristic *c, const struct refinable *f,
+                              int a, int b)
+{
+    struct pair out = net_value(&c->net, c->block, a + f->shift_a, b + f->shift_b), here;
+
     if (f->shift_a == 0 && f->shift_b == 0)
-        return;
-    net_value(&here, &c->net, &c->block->twist, a, b, c->block->g);
-    interval_sub(&out->x, &out->x, &here.x);
-    interval_sub(&out->y, &out->y, &here.y);
+        return out;
+    here = net_value(&c->net, c->block, a, b);
+    out.x = interval_sub(out.x, here.x);
+    out.y = interval_sub(out.y, here.y);
+    return out;
 }
 
 /* Thin nets
  * --------- */
 
-static void raise_to_rad(integer *rho, const interval *x)
-{
-    integer rad;
-
-    interval_rad(&rad, x);
-    if (integer_compare(&rad, rho) > 0)
-        integer_set(rho, &rad);
-}
-
-/* rho_x, rho_y of f: the largest rad at the points of the windows of all elements
- * of this kind in the ring. */
+/* rho_x, rho_y of f: the largest rad at the labels of the windows of the elements. */
 static void collect_rho(struct refinable *f, const struct characteristic *c,
-                        enum element_kind kind)
+                        const struct element *element, int elements)
 {
-    const struct window *window = &f->window[kind];
-    int first, last;
+    for (int i = 0; i < elements; i++) {
+        const struct window *window = &f->window[element[i].kind];
 
-    characteristic_range(&first, &last, c, kind);
-    for (int sum = first; sum <= last; sum++) {
-        for (int b = 0; b <= sum; b++) {
-            for (int i = 0; i < window->count; i++) {
-                struct pair value;
+        for (int n = 0; n < window->count; n++) {
+            struct pair value = characteristic_at(c, f,
+                                                  element[i].a + window->label[n].a,
+                                                  element[i].b + window->label[n].b);
 
-                characteristic_at(&value, c, f, sum - b + window->point[i].a,
-                                  b + window->point[i].b);
-                raise_to_rad(&f->rho_x, &value.x);
-                raise_to_rad(&f->rho_y, &value.y);
-            }
+            f->rho_x = integer_max(f->rho_x, interval_rad(value.x));
+            f->rho_y = integer_max(f->rho_y, interval_rad(value.y));
         }
     }
 }
 
-static void prepare_refinable(struct refinable *f, int shift_a, int shift_b)
+static void prepare_refinable(struct refinable *f, const struct mask *q, int64_t stability,
+                              int shift_a, int shift_b, enum mesh mesh, int g)
 {
+    f->mask = stencil_make(q, 2, g);
+    f->stability = stability;
     f->shift_a = shift_a;
     f->shift_b = shift_b;
     for (int kind = 0; kind < ELEMENT_KINDS; kind++)
-        window_prepare(&f->window[kind], (enum element_kind)kind, &f->mask);
-    integer_set_small(&f->rho_x, 0);
-    integer_set_small(&f->rho_y, 0);
+        f->window[kind] = window_make((enum element_kind)kind, &f->mask, mesh);
 }
 
 void characteristic_prepare(struct characteristic *out, const struct block *block,
-                            const struct eigenpair *pair, const struct mask *q1,
-                            const struct mask *q2)
+                            const struct eigenpair *pair, const struct mask q[3],
+                            const struct certificate *c)
 {
-    int h = stencil_radius(block->mask);
-    int omega;
+    const struct scheme *scheme = block->v->scheme;
+    enum mesh mesh = scheme->mesh;
+    int g = block->v->g, omega = 0, h = mask_reach(&scheme->mask, mesh, mesh);
 
+    memset(out, 0, sizeof *out);                   /* zeroed memory is 0 */
     out->block = block;
-    stencil_from_mask(&out->first.mask, q1, block->g);
-    stencil_from_mask(&out->second.mask, q2, block->g);
-    stencil_from_mask(&out->value.mask, &block->scheme->mask, block->g);
-    prepare_refinable(&out->first, 1, 0);
-    prepare_refinable(&out->second, 0, 1);
-    prepare_refinable(&out->value, 0, 0);
+    out->mesh = mesh;
+    out->version_0 = c->version == 0;
+    prepare_refinable(&out->value, &q[0], c->stability[0], 0, 0, mesh, g);
+    prepare_refinable(&out->first, &q[1], c->stability[1], 1, 0, mesh, g);
+    prepare_refinable(&out->second, &q[2], c->stability[2], 0, 1, mesh, g);
+    for (int i = 0; i < 3; i++) {
+        const struct refinable *f[3] = { &out->value, &out->first, &out->second };
+        int reach = used_reach(f[i], mesh);
 
-    omega = used_reach(out);
-    out->radius = ring_radius(omega, h);
-    net_prepare(&out->net, 2 * out->radius + omega);
-    net_from_unknowns(&out->net, block, pair->unknowns);
-    extend_net(&out->net, block, &pair->eigenvalue, h);
+        omega = reach > omega ? reach : omega;
+    }
+    out->radius = ring_radius(mesh, omega, h, scheme_influence(scheme));
+    out->elements = ring_elements(&out->element, mesh, out->radius, false);
+    out->segments = ring_elements(&out->segment, mesh, out->radius, true);
 
-    collect_rho(&out->first, out, ELEMENT_U);
-    collect_rho(&out->first, out, ELEMENT_D);
-    collect_rho(&out->second, out, ELEMENT_U);
-    collect_rho(&out->second, out, ELEMENT_D);
-    collect_rho(&out->value, out, ELEMENT_E);
-}
+    out->net = net_make(mesh, block->rings);
+    net_set_unknowns(&out->net, block, pair->unknowns);
+    while (out->net.rings < 2 * out->radius + omega)
+        out->net = extend_net(&out->net, block, pair, 2 * out->radius + omega);
 
-void characteristic_clear(struct characteristic *c)
-{
-    net_clear(&c->net);
+    collect_rho(&out->value, out, out->segment, out->segments);
+    collect_rho(&out->first, out, out->element, out->elements);
+    collect_rho(&out->second, out, out->element, out->elements);
 }

@@ -4,7 +4,7 @@
  * (regularity: d1 and d2).  A patch holds, for an element, the intervals of one
  * function on the element's window.  The patch of a child comes from that of its
  * parent by the refinement rule: with the anchor of the child at twice the anchor
- * of the parent plus (a,b), relative points are related by
+ * of the parent plus (a,b), relative labels are related by
  *
  *     new(x) = sum over y of q(x + (a,b) - 2y) old(y).
  */
@@ -12,8 +12,6 @@
 #include "decide.h"
 
 #include "answer.h"
-
-#include <stdlib.h>
 
 enum { MAX_DEPTH = 60, MAX_FUNCTIONS = 2 };
 
@@ -25,182 +23,183 @@ struct tree {
     const char *next, *end;                        /* the word */
     int functions;
     const struct refinable *f[MAX_FUNCTIONS];
-    struct pair *patch[MAX_DEPTH + 1][MAX_FUNCTIONS];      /* by depth */
     bool (*decide)(const struct tree *t, const struct pair *box);
 };
 
-/* Patches
- * ------- */
+/* The patches of an element. */
+struct patches {
+    struct pair *of[MAX_FUNCTIONS];
+};
+
+static struct patches new_patches(const struct tree *t, enum element_kind kind)
+{
+    struct patches out = { { NULL } };
+
+    for (int i = 0; i < t->functions; i++)
+        out.of[i] = allocate((size_t)t->f[i]->window[kind].count, sizeof out.of[i][0]);
+    return out;
+}
 
 /* Level 0: the midpoints. */
-static void start_patch(struct pair *out, const struct characteristic *c,
-                        const struct refinable *f, enum element_kind kind, int a,
-                        int b)
+static struct patches start_patches(const struct tree *t, const struct element *e)
 {
-    const struct window *window = &f->window[kind];
-    struct pair value;
-    integer mid;
+    struct patches out = new_patches(t, e->kind);
 
-    for (int i = 0; i < window->count; i++) {
-        characteristic_at(&value, c, f, a + window->point[i].a,
-                          b + window->point[i].b);
-        interval_mid(&mid, &value.x);
-        interval_set_thin(&out[i].x, &mid);
-        interval_mid(&mid, &value.y);
-        interval_set_thin(&out[i].y, &mid);
+    for (int i = 0; i < t->functions; i++) {
+        const struct window *window = &t->f[i]->window[e->kind];
+
+        for (int n = 0; n < window->count; n++) {
+            struct pair v = characteristic_at(t->c, t->f[i], e->a + window->label[n].a,
+                                              e->b + window->label[n].b);
+
+            out.of[i][n].x = interval_thin(interval_mid(v.x));
+            out.of[i][n].y = interval_thin(interval_mid(v.y));
+        }
     }
+    return out;
 }
 
-/* The value at the point (a,b), relative to twice the anchor of the old patch. */
-static void refine_point(struct pair *out, const struct pair *old,
-                         const struct window *window, const struct stencil *mask,
-                         int a, int b, int g)
+/* The value at the label (a,b), relative to twice the anchor of the old patch. */
+static struct pair refine_label(const struct pair *old, const struct window *window,
+                                const struct stencil *mask, int a, int b, int g)
 {
-    interval product;
+    struct mark mark = scratch_mark();
+    int class = stencil_class(mask, a, b);
+    interval sum[2] = { grid_from(0, g), grid_from(0, g) };
 
-    grid_set_small(&out->x, 0, g);
-    grid_set_small(&out->y, 0, g);
-    for (int i = 0; i < mask->count; i++) {
-        const struct stencil_entry *entry = &mask->entry[i];
-        int twice_a = a - entry->a, twice_b = b - entry->b, y;
+    for (int i = mask->first[class]; i < mask->first[class + 1]; i++) {
+        const struct stencil_entry *e = &mask->entry[i];
+        int index = window_index(window, (a - e->a) / 2, (b - e->b) / 2);
 
-        if (twice_a % 2 != 0 || twice_b % 2 != 0)
-            continue;
-        y = window_index(window, twice_a / 2, twice_b / 2);
-        if (y < 0)
-            cannot_check("the checker's windows are not closed under refinement");
-        grid_mul(&product, &entry->weight, &old[y].x, g);
-        interval_add(&out->x, &out->x, &product);
-        grid_mul(&product, &entry->weight, &old[y].y, g);
-        interval_add(&out->y, &out->y, &product);
+        if (index < 0)
+            cannot_check("the checker's windows are too small");
+        sum[0] = interval_add(sum[0], grid_mul(e->weight, old[index].x, g));
+        sum[1] = interval_add(sum[1], grid_mul(e->weight, old[index].y, g));
     }
+    interval_keep(mark, sum, 2);
+    return (struct pair) { sum[0], sum[1] };
 }
 
-static void refine_patch(struct pair *out, const struct pair *old,
-                         const struct refinable *f, enum element_kind kind,
-                         const struct child *child, int g)
+static struct patches refine_patches(const struct tree *t, const struct patches *old,
+                                     enum element_kind kind, const struct child *child)
 {
-    const struct window *window = &f->window[child->kind];
+    struct patches out = new_patches(t, child->kind);
 
-    for (int i = 0; i < window->count; i++)
-        refine_point(&out[i], old, &f->window[kind], &f->mask,
-                     window->point[i].a + child->a, window->point[i].b + child->b, g);
+    for (int i = 0; i < t->functions; i++) {
+        const struct window *window = &t->f[i]->window[child->kind];
+
+        for (int n = 0; n < window->count; n++)
+            out.of[i][n] = refine_label(old->of[i], &t->f[i]->window[kind],
+                                        &t->f[i]->mask, window->label[n].a + child->a,
+                                        window->label[n].b + child->b, t->c->block->v->g);
+    }
+    return out;
 }
 
-/* The box of an element: the hull of its patch, widened by rho. */
-static void patch_box(struct pair *out, const struct pair *patch,
-                      const struct refinable *f, enum element_kind kind)
+/* Boxes
+ * ----- */
+
+/* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by
+ * rho. */
+static interval widened(interval hull, integer rho, const struct refinable *f,
+                        bool version_0)
 {
-    pair_set(out, &patch[0]);
+    integer mid = interval_mid(hull), e;
+
+    if (version_0)
+        return interval_of(integer_sub(hull.lo, rho), integer_add(hull.hi, rho));
+    e = integer_mul(integer_from(f->stability), integer_add(interval_rad(hull), rho));
+    e = integer_shift_ceil(e, 10);
+    return interval_of(integer_sub(mid, e), integer_add(mid, e));
+}
+
+static struct pair patch_box(const struct pair *patch, const struct refinable *f,
+                             enum element_kind kind, bool version_0)
+{
+    struct pair hull = patch[0];
+
     for (int i = 1; i < f->window[kind].count; i++) {
-        interval_hull(&out->x, &out->x, &patch[i].x);
-        interval_hull(&out->y, &out->y, &patch[i].y);
+        hull.x = interval_hull(hull.x, patch[i].x);
+        hull.y = interval_hull(hull.y, patch[i].y);
     }
-    integer_sub(&out->x.lo, &out->x.lo, &f->rho_x);
-    integer_add(&out->x.hi, &out->x.hi, &f->rho_x);
-    integer_sub(&out->y.lo, &out->y.lo, &f->rho_y);
-    integer_add(&out->y.hi, &out->y.hi, &f->rho_y);
+    hull.x = widened(hull.x, f->rho_x, f, version_0);
+    hull.y = widened(hull.y, f->rho_y, f, version_0);
+    return hull;
+}
+
+/* det(d1, d2) > 0 */
+static bool jacobian_is_positive(const struct tree *t, const struct pair *box)
+{
+    int g = t->c->block->v->g;
+
+    return interval_is_positive(interval_sub(grid_mul(box[0].x, box[1].y, g),
+                                             grid_mul(box[0].y, box[1].x, g)));
+}
+
+/* nx x + ny y > 0 */
+static bool half_plane_contains(const struct tree *t, const struct pair *box)
+{
+    const int64_t *n = t->certificate->normal;
+    int g = t->c->block->v->g;
+
+    return interval_is_positive(interval_add(grid_mul(grid_from(n[0], g), box->x, g),
+                                             grid_mul(grid_from(n[1], g), box->y, g)));
 }
 
 /* Trees
  * ----- */
 
-static void check_leaf(const struct tree *t, enum element_kind kind, int depth, int a,
-                       int b)
+static void check_leaf(const struct tree *t, const struct patches *patches,
+                       enum element_kind kind, int depth, const struct element *e)
 {
-    static const char *const kind_name[ELEMENT_KINDS] = { "U", "D", "E" };
     struct pair box[MAX_FUNCTIONS];
 
     for (int i = 0; i < t->functions; i++)
-        patch_box(&box[i], t->patch[depth][i], t->f[i], kind);
+        box[i] = patch_box(patches->of[i], t->f[i], kind, t->c->version_0);
     if (!t->decide(t, box))
         rejected(t->certificate->file, t->line,
                  "%s: a leaf of level %d in %s(%d,%d) is not decided", t->name,
-                 depth, kind_name[kind], a, b);
+                 depth, element_form[e->kind].name, e->a, e->b);
 }
 
-/* Checks the tree of an element, whose patches are at `depth`; (a,b) is the
- * level-0 element that it is part of. */
-static void check_tree(struct tree *t, enum element_kind kind, int depth, int a,
-                       int b)
+/* Checks the tree of an element of this kind and these patches, which is part of the
+ * element e of level 0. */
+static void check_tree(struct tree *t, const struct patches *patches,
+                       enum element_kind kind, int depth, const struct element *e)
 {
-    char letter;
+    struct mark mark = scratch_mark();
 
     if (t->next == t->end)
         rejected(t->certificate->file, t->line, "%s: the word is too short", t->name);
-    letter = *t->next++;
-    if (letter == '0') {
-        check_leaf(t, kind, depth, a, b);
+    if (*t->next++ == '0') {
+        check_leaf(t, patches, kind, depth, e);
+        scratch_release(mark);
         return;
     }
     if (depth == MAX_DEPTH)
         cannot_check_at(t->certificate->file, t->line, 0,
                         "%s: expected trees of a depth of at most %d", t->name,
                         MAX_DEPTH);
-    for (int i = 0; i < t->functions; i++)
-        if (t->patch[depth + 1][i] == NULL)
-            t->patch[depth + 1][i] = allocate((size_t)WINDOW_SIDE * WINDOW_SIDE,
-                                              sizeof t->patch[0][0][0]);
-    for (int child = 0; child < element_children[kind]; child++) {
-        const struct child *next = &element_child[kind][child];
+    for (int i = 0; i < element_form[kind].children; i++) {
+        const struct child *child = &element_form[kind].child[i];
+        struct patches next = refine_patches(t, patches, kind, child);
 
-        for (int i = 0; i < t->functions; i++)
-            refine_patch(t->patch[depth + 1][i], t->patch[depth][i], t->f[i], kind,
-                         next, t->c->block->g);
-        check_tree(t, next->kind, depth + 1, a, b);
+        check_tree(t, &next, child->kind, depth + 1, e);
+        scratch_release(mark);
     }
 }
 
-static void check_elements(struct tree *t, enum element_kind kind)
+static void check_elements(struct tree *t, const struct element *element, int elements)
 {
-    int first, last;
+    for (int i = 0; i < elements; i++) {
+        struct mark mark = scratch_mark();
+        struct patches patches = start_patches(t, &element[i]);
 
-    characteristic_range(&first, &last, t->c, kind);
-    for (int sum = first; sum <= last; sum++) {
-        for (int b = 0; b <= sum; b++) {
-            for (int i = 0; i < t->functions; i++)
-                start_patch(t->patch[0][i], t->c, t->f[i], kind, sum - b, b);
-            check_tree(t, kind, 0, sum - b, b);
-        }
+        check_tree(t, &patches, element[i].kind, 0, &element[i]);
+        scratch_release(mark);
     }
-}
-
-static void finish(struct tree *t)
-{
     if (t->next != t->end)
         rejected(t->certificate->file, t->line, "%s: the word is too long", t->name);
-    for (int depth = 0; depth <= MAX_DEPTH; depth++)
-        for (int i = 0; i < MAX_FUNCTIONS; i++)
-            free(t->patch[depth][i]);
-}
-
-/* Leaves
- * ------ */
-
-/* det(d1, d2) > 0 */
-static bool jacobian_is_positive(const struct tree *t, const struct pair *box)
-{
-    interval left, right;
-    int g = t->c->block->g;
-
-    grid_mul(&left, &box[0].x, &box[1].y, g);
-    grid_mul(&right, &box[0].y, &box[1].x, g);
-    interval_sub(&left, &left, &right);
-    return interval_is_positive(&left);
-}
-
-/* nx x + ny y > 0 */
-static bool half_plane_contains(const struct tree *t, const struct pair *box)
-{
-    interval nx, ny;
-    int g = t->c->block->g;
-
-    grid_set_small(&nx, t->certificate->normal[0], g);
-    grid_set_small(&ny, t->certificate->normal[1], g);
-    grid_mul(&nx, &nx, &box[0].x, g);
-    grid_mul(&ny, &ny, &box[0].y, g);
-    interval_add(&nx, &nx, &ny);
-    return interval_is_positive(&nx);
 }
 
 void decide_regularity(const struct characteristic *c,
@@ -215,12 +214,7 @@ void decide_regularity(const struct characteristic *c,
         .decide = jacobian_is_positive
     };
 
-    for (int i = 0; i < t.functions; i++)
-        t.patch[0][i] = allocate((size_t)WINDOW_SIDE * WINDOW_SIDE,
-                                 sizeof t.patch[0][0][0]);
-    check_elements(&t, ELEMENT_U);
-    check_elements(&t, ELEMENT_D);
-    finish(&t);
+    check_elements(&t, c->element, c->elements);
 }
 
 void decide_boundary(const struct characteristic *c,
@@ -235,8 +229,5 @@ void decide_boundary(const struct characteristic *c,
         .decide = half_plane_contains
     };
 
-    t.patch[0][0] = allocate((size_t)WINDOW_SIDE * WINDOW_SIDE,
-                             sizeof t.patch[0][0][0]);
-    check_elements(&t, ELEMENT_E);
-    finish(&t);
+    check_elements(&t, c->segment, c->segments);
 }

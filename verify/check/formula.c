@@ -1,305 +1,369 @@
-/* Formulas: a parser by recursive descent that evaluates while it reads,
- * with the grammar and the arithmetic of lib/scheme.md.  Each function below
- * stands for one line of the grammar. */
+/* Formulas: a parser by recursive descent.  Each function below stands for one
+ * line of the grammar of lib/scheme.md. */
 
 #include "formula.h"
 
-#include "trig.h"
+#include <string.h>
 
-enum { MAX_NESTING = 64, MAX_EXPONENT = 64 };
+enum { MAX_NESTING = 64, MAX_OPERATIONS = 10000, MAX_EXPONENT_0 = 64 };
 
 struct parser {
     struct cursor *c;
-    int k;                                         /* 0: not allowed */
-    int g;
+    struct language *l;
+    int allowed;
     int nesting;
 };
 
-void value_enclose(interval *out, const struct value *v, int g)
+void beyond_version_0(struct language *l, const struct cursor *c, const char *message)
 {
-    if (v->kind == ENCLOSURE) {
-        interval_set(out, &v->x);
+    struct cursor here = *c;
+
+    if (l->beyond_0.message != NULL)
         return;
-    }
-    grid_from_rational(out, &v->q, g);
-    if (v->kind == ANGLE) {
-        interval pi;
-
-        grid_pi(&pi, g);
-        grid_mul(out, out, &pi, g);
-    }
+    cursor_skip_blanks(&here);
+    l->beyond_0.line = here.line;
+    l->beyond_0.column = (int)(here.at - here.begin) + 1;
+    l->beyond_0.message = message;
 }
 
-/* An exact multiple of pi that may be 0. */
-static void set_angle(struct value *out, const rational *q)
+bool word_is_reserved(const char *word)
 {
-    rational_set(&out->q, q);
-    out->kind = q->num.sign == 0 ? RATIONAL : ANGLE;
+    static const char *const reserved[] = {
+        "scheme", "mesh", "triangle", "quad", "dilation", "vertices", "interior",
+        "boundary", "crease", "parameter", "let", "mask", "symmetric", "end", "rule",
+        "centre", "when", "all", "rest", "spectrum", "compose", "refine", "repeat",
+        "smooth", "average", "and", "or", "pi", "k", "m", "j", "cos", "sin", "sqrt",
+        "abs", "min", "max", "mod", "cases", "else"
+    };
+
+    for (size_t i = 0; i < sizeof reserved / sizeof reserved[0]; i++)
+        if (strcmp(word, reserved[i]) == 0)
+            return true;
+    return false;
 }
 
-static void set_rational(struct value *out, const rational *q)
+/* Nodes
+ * ----- */
+
+static struct node *new_node(enum node_kind kind, const struct parser *p)
 {
-    rational_set(&out->q, q);
-    out->kind = RATIONAL;
+    struct node *out = allocate(1, sizeof *out);
+    struct cursor here = *p->c;
+
+    cursor_skip_blanks(&here);
+    out->kind = kind;
+    out->line = here.line;
+    out->column = (int)(here.at - here.begin) + 1;
+    return out;
 }
 
-static void set_value(struct value *out, const struct value *v)
+/* Makes `operand` the last one of `node`; last: the one before it or NULL. */
+static void append(struct node *node, struct node **last, struct node *operand,
+                   char join, const struct parser *p)
 {
-    out->kind = v->kind;
-    if (v->kind == ENCLOSURE)
-        interval_set(&out->x, &v->x);
+    operand->join = join;
+    if (*last == NULL)
+        node->first = operand;
     else
-        rational_set(&out->q, &v->q);
-}
-
-/* Operations
- * ---------- */
-
-static void apply_to_enclosures(struct value *out, char operation,
-                                const struct value *right, struct parser *p)
-{
-    interval x, y;
-
-    value_enclose(&x, out, p->g);
-    value_enclose(&y, right, p->g);
-    if (operation == '/' && interval_contains_zero(&y))
-        cursor_error(p->c, "before this place: division by an enclosure of zero");
-    if (operation == '+')
-        interval_add(&out->x, &x, &y);
-    else if (operation == '-')
-        interval_sub(&out->x, &x, &y);
-    else if (operation == '*')
-        grid_mul(&out->x, &x, &y, p->g);
-    else
-        grid_div(&out->x, &x, &y, p->g);
-    out->kind = ENCLOSURE;
-}
-
-/* out := out (operation) right */
-static void apply(struct value *out, char operation, const struct value *right,
-                  struct parser *p)
-{
-    bool sum = operation == '+' || operation == '-';
-    bool both_exact = out->kind != ENCLOSURE && right->kind != ENCLOSURE;
-    int angles = (out->kind == ANGLE ? 1 : 0) + (right->kind == ANGLE ? 1 : 0);
-    rational q;
-
-    if (operation == '/' && right->kind == RATIONAL && right->q.num.sign == 0)
-        cursor_error(p->c, "before this place: division by zero");
-
-    /* Exact: rational with rational; angle +- angle; angle times or divided
-     * by a rational; angle / angle. */
-    if (!both_exact || (sum && angles == 1) ||
-        (operation == '*' && angles == 2) ||
-        (operation == '/' && angles == 1 && right->kind == ANGLE)) {
-        apply_to_enclosures(out, operation, right, p);
-        return;
-    }
-    if (operation == '+')
-        rational_add(&q, &out->q, &right->q);
-    else if (operation == '-')
-        rational_sub(&q, &out->q, &right->q);
-    else if (operation == '*')
-        rational_mul(&q, &out->q, &right->q);
-    else
-        rational_divide(&q, &out->q, &right->q);
-    if (angles == 0 || (operation == '/' && angles == 2))
-        set_rational(out, &q);
-    else
-        set_angle(out, &q);
-}
-
-static void negate(struct value *v)
-{
-    if (v->kind == ENCLOSURE)
-        interval_minus(&v->x, &v->x);
-    else
-        rational_negate(&v->q, &v->q);
-}
-
-/* v := v ^ n, or v ^ -n */
-static void raise_to_power(struct value *v, int n, bool inverse, struct parser *p)
-{
-    struct value one, base;
-
-    one.kind = RATIONAL;
-    rational_set_small(&one.q, 1, 1);
-    if (n == 0) {
-        set_value(v, &one);
-        return;
-    }
-    if (v->kind == ANGLE && n == 1 && !inverse)
-        return;
-    if (v->kind == ANGLE) {
-        value_enclose(&v->x, v, p->g);
-        v->kind = ENCLOSURE;
-    }
-    set_value(&base, v);
-    for (int i = 1; i < n; i++)
-        apply(v, '*', &base, p);
-    if (inverse) {
-        apply(&one, '/', v, p);
-        set_value(v, &one);
-    }
-}
-
-static void cos_or_sin(struct value *v, bool sine, struct parser *p)
-{
-    rational exact;
-    bool is_rational;
-
-    if (v->kind == ENCLOSURE || (v->kind == RATIONAL && v->q.num.sign != 0))
-        cursor_error(p->c, "before this place: expected 0 or a rational "
-                           "multiple of pi in cos or sin");
-    is_rational = sine ? rational_sin_pi(&exact, &v->q)
-                       : rational_cos_pi(&exact, &v->q);
-    if (is_rational) {
-        set_rational(v, &exact);
-        return;
-    }
-    if (sine)
-        grid_sin_pi(&v->x, &v->q, p->g);
-    else
-        grid_cos_pi(&v->x, &v->q, p->g);
-    v->kind = ENCLOSURE;
+        (*last)->next = operand;
+    *last = operand;
+    node->meaning |= operand->meaning;
+    node->operations += operand->operations + 1;
+    if (node->operations > MAX_OPERATIONS)
+        cursor_error(p->c, "expected a formula of at most 10000 operations");
 }
 
 /* Grammar
  * ------- */
 
-static void read_formula(struct value *out, struct parser *p);
+static struct node *read_formula(struct parser *p);
 
 /* Digits with at most one point inside or in front. */
-static void read_number(struct value *out, struct parser *p)
+static struct node *read_number(struct parser *p)
 {
+    struct node *out = new_node(NODE_NUMBER, p);
     struct cursor *c = p->c;
-    integer num, den, ten, digit;
+    integer num = integer_from(0), den = integer_from(1), ten = integer_from(10);
     bool point = false, digit_last = false;
 
-    integer_set_small(&num, 0);
-    integer_set_small(&den, 1);
-    integer_set_small(&ten, 10);
-    while (cursor_at_digit(c) || (c->at < c->end && *c->at == '.' && !point)) {
+    for (; cursor_at_digit(c) || (c->at < c->end && *c->at == '.' && !point); c->at++) {
         digit_last = *c->at != '.';
         if (digit_last) {
-            integer_set_small(&digit, *c->at - '0');
-            integer_mul(&num, &num, &ten);
-            integer_add(&num, &num, &digit);
+            num = integer_add(integer_mul(num, ten), integer_from(*c->at - '0'));
             if (point)
-                integer_mul(&den, &den, &ten);
+                den = integer_mul(den, ten);
         } else {
             point = true;
         }
-        c->at++;
     }
     if (!digit_last)
         cursor_error(c, "expected a digit");
-    rational_reduce(&out->q, &num, &den);
-    out->kind = RATIONAL;
+    out->number = rational_reduce(num, den);
+    return out;
 }
 
-/* "(" formula ")" */
-static void read_parentheses(struct value *out, struct parser *p)
+static void open_parenthesis(struct parser *p)
 {
     if (!cursor_accept(p->c, '('))
         cursor_error(p->c, "expected `(`");
     if (++p->nesting > MAX_NESTING)
         cursor_error(p->c, "expected at most 64 nested parentheses");
-    read_formula(out, p);
+}
+
+static void close_parenthesis(struct parser *p)
+{
     if (!cursor_accept(p->c, ')'))
         cursor_error(p->c, "expected an operator or `)`");
     p->nesting--;
 }
 
-static void read_primary(struct value *out, struct parser *p)
+/* "(" formula { "," formula } ")", from `least` to `most` of them */
+static struct node *read_arguments(enum node_kind kind, int least, int most,
+                                   struct parser *p)
 {
-    struct cursor *c = p->c;
+    struct node *out = new_node(kind, p), *last = NULL;
+    int count = 0;
 
-    cursor_skip_blanks(c);
-    if (cursor_at_digit(c) || (c->at < c->end && *c->at == '.')) {
-        read_number(out, p);
-    } else if (p->k > 0 && cursor_accept_word(c, "k")) {
-        rational_set_small(&out->q, p->k, 1);
-        out->kind = RATIONAL;
-    } else if (cursor_accept_word(c, "pi")) {
-        rational_set_small(&out->q, 1, 1);
-        out->kind = ANGLE;
-    } else if (cursor_accept_word(c, "cos")) {
-        read_parentheses(out, p);
-        cos_or_sin(out, false, p);
-    } else if (cursor_accept_word(c, "sin")) {
-        read_parentheses(out, p);
-        cos_or_sin(out, true, p);
-    } else if (c->at < c->end && *c->at == '(') {
-        read_parentheses(out, p);
-    } else if (p->k > 0) {
-        cursor_error(c, "expected a number, k, pi, cos, sin or `(`");
-    } else {
-        cursor_error(c, "expected a number, pi, cos, sin or `(`");
-    }
+    open_parenthesis(p);
+    do {
+        append(out, &last, read_formula(p), ',', p);
+        count++;
+    } while (count < most && cursor_accept(p->c, ','));
+    if (count < least)
+        cursor_error(p->c, "expected `,` and another value");
+    close_parenthesis(p);
+    return out;
 }
 
-static void read_power(struct value *out, struct parser *p)
+static struct node *read_comparison(struct parser *p)
 {
-    struct cursor *c = p->c;
-    bool inverse;
+    struct node *out = new_node(NODE_COMPARISON, p), *last = NULL;
+    char join;
+
+    append(out, &last, read_formula(p), ' ', p);
+    cursor_skip_blanks(p->c);
+    if (cursor_accept(p->c, '='))
+        join = '=';
+    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, "!=", 2) == 0)
+        join = '!', p->c->at += 2;
+    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, "<=", 2) == 0)
+        join = 'l', p->c->at += 2;
+    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, ">=", 2) == 0)
+        join = 'g', p->c->at += 2;
+    else if (cursor_accept(p->c, '<'))
+        join = '<';
+    else if (cursor_accept(p->c, '>'))
+        join = '>';
+    else
+        cursor_error(p->c, "expected a comparison");
+    append(out, &last, read_formula(p), join, p);
+    return out;
+}
+
+static struct node *read_condition(struct parser *p)
+{
+    struct node *out = new_node(NODE_AND, p), *last = NULL;
+    const char *word = "and";
+
+    append(out, &last, read_comparison(p), ' ', p);
+    if (cursor_accept_word(p->c, "or")) {
+        out->kind = NODE_OR;
+        word = "or";
+    } else if (!cursor_accept_word(p->c, "and")) {
+        return out;
+    }
+    do
+        append(out, &last, read_comparison(p), ' ', p);
+    while (cursor_accept_word(p->c, word));
+    return out;
+}
+
+/* "(" case { ";" case } ")" */
+static struct node *read_cases(struct parser *p)
+{
+    struct node *out = new_node(NODE_CASES, p), *last = NULL;
+    bool more = true;
+
+    open_parenthesis(p);
+    while (more) {
+        bool last_case = cursor_accept_word(p->c, "else");
+
+        if (!last_case)
+            append(out, &last, read_condition(p), ' ', p);
+        if (!cursor_accept(p->c, ':'))
+            cursor_error(p->c, "expected `:`");
+        append(out, &last, read_formula(p), ' ', p);
+        more = !last_case && cursor_accept(p->c, ';');
+    }
+    close_parenthesis(p);
+    return out;
+}
+
+/* k, m or j: is it allowed here? */
+static struct node *read_variable(enum node_kind kind, int meaning,
+                                  const struct cursor *place, struct parser *p)
+{
+    struct node *out = new_node(kind, p);
+
+    if ((p->allowed & meaning) == 0)
+        cursor_error(place, "expected a number, pi, a function or `(`: k, m or j has "
+                            "no meaning here");
+    out->meaning = meaning;
+    return out;
+}
+
+static struct node *read_defined_name(const char *word, const struct cursor *place,
+                              struct parser *p)
+{
+    struct node *out = new_node(NODE_NAME, p);
+
+    for (int i = 0; i < p->l->count; i++) {
+        const struct definition *d = &p->l->definition[i];
+
+        if (strcmp(word, d->name) != 0)
+            continue;
+        out->name = i;
+        out->meaning = d->formula != NULL ? d->formula->meaning : 0;
+        out->operations = d->formula != NULL ? d->formula->operations : 0;
+        if ((out->meaning & ~p->allowed) != 0)
+            cursor_error(place, "the value of this name depends on something that "
+                                "has no meaning here");
+        return out;
+    }
+    cursor_error(place, "expected a number, a function, `(` or a name that is "
+                        "defined above");
+}
+
+static struct node *read_primary(struct parser *p)
+{
+    static const struct {
+        const char *name;
+        enum node_kind kind;
+        int least, most;
+    } function[] = {
+        { "cos", NODE_COS, 1, 1 }, { "sin", NODE_SIN, 1, 1 },
+        { "sqrt", NODE_SQRT, 1, 1 }, { "abs", NODE_ABS, 1, 1 },
+        { "min", NODE_MIN, 2, 1000 }, { "max", NODE_MAX, 2, 1000 },
+        { "mod", NODE_MOD, 2, 2 }
+    };
+    struct cursor *c = p->c, place;
+    struct node *out;
+    char word[MAX_WORD + 1];
+
+    cursor_skip_blanks(c);
+    place = *c;
+    if (cursor_at_digit(c) || (c->at < c->end && *c->at == '.'))
+        return read_number(p);
+    if (c->at < c->end && *c->at == '(') {
+        open_parenthesis(p);
+        out = read_formula(p);
+        close_parenthesis(p);
+        return out;
+    }
+    if (!cursor_read_word(word, MAX_WORD, c))
+        cursor_error(c, "expected a number, a word or `(`");
+    if (strcmp(word, "pi") == 0)
+        return new_node(NODE_PI, p);
+    if (strcmp(word, "k") == 0)
+        return read_variable(NODE_K, MEANS_K, &place, p);
+    if (strcmp(word, "m") == 0)
+        return read_variable(NODE_M, MEANS_M, &place, p);
+    if (strcmp(word, "j") == 0)
+        return read_variable(NODE_J, MEANS_J, &place, p);
+    if (strcmp(word, "cases") == 0) {
+        beyond_version_0(p->l, &place, "expected a function of version 0");
+        return read_cases(p);
+    }
+    for (size_t i = 0; i < sizeof function / sizeof function[0]; i++) {
+        if (strcmp(word, function[i].name) != 0)
+            continue;
+        if (i >= 2)
+            beyond_version_0(p->l, &place, "expected a function of version 0");
+        return read_arguments(function[i].kind, function[i].least, function[i].most, p);
+    }
+    return read_defined_name(word, &place, p);
+}
+
+/* Version 0 has exponents of digits only, of at most 64. */
+static void check_exponent_0(struct parser *p)
+{
+    struct cursor c = *p->c;
     int n = 0;
 
-    read_primary(out, p);
-    if (!cursor_accept(c, '^'))
+    cursor_skip_blanks(&c);
+    if (!cursor_at_digit(&c)) {
+        beyond_version_0(p->l, &c, "expected the digits of an exponent");
         return;
-    inverse = cursor_accept(c, '-');
-    cursor_skip_blanks(c);
-    if (!cursor_at_digit(c))
-        cursor_error(c, "expected the digits of an exponent");
-    for (; cursor_at_digit(c); c->at++) {
-        n = 10 * n + (*c->at - '0');
-        if (n > MAX_EXPONENT)
-            cursor_error(c, "expected an exponent of at most 64");
     }
-    raise_to_power(out, n, inverse, p);
+    for (; cursor_at_digit(&c) && n <= MAX_EXPONENT_0; c.at++)
+        n = 10 * n + (*c.at - '0');
+    if (n > MAX_EXPONENT_0)
+        beyond_version_0(p->l, &c, "expected an exponent of at most 64");
+    else if (c.at < c.end && *c.at == '.')
+        beyond_version_0(p->l, &c, "expected an operator or the end of the line");
 }
 
-static void read_term(struct value *out, struct parser *p)
+static struct node *read_power(struct parser *p)
 {
-    struct value right;
+    struct node *base = read_primary(p), *out, *last = NULL;
+    char join = '+';
 
-    read_power(out, p);
-    for (;;) {
-        char operation = cursor_accept(p->c, '*') ? '*'
-                       : cursor_accept(p->c, '/') ? '/' : '\0';
-
-        if (operation == '\0')
-            return;
-        read_power(&right, p);
-        apply(out, operation, &right, p);
-    }
+    if (!cursor_accept(p->c, '^'))
+        return base;
+    out = new_node(NODE_POWER, p);
+    if (cursor_accept(p->c, '-'))
+        join = '-';
+    check_exponent_0(p);
+    append(out, &last, base, ' ', p);
+    append(out, &last, read_primary(p), join, p);
+    return out;
 }
 
-static void read_formula(struct value *out, struct parser *p)
+static struct node *read_term(struct parser *p)
 {
-    struct value right;
+    struct node *first = read_power(p), *out, *last = NULL;
+    char join = cursor_accept(p->c, '*') ? '*' : cursor_accept(p->c, '/') ? '/' : '\0';
 
-    if (cursor_accept(p->c, '-')) {
-        read_term(out, p);
-        negate(out);
-    } else {
-        read_term(out, p);
+    if (join == '\0')
+        return first;
+    out = new_node(NODE_PRODUCT, p);
+    append(out, &last, first, '*', p);
+    while (join != '\0') {
+        append(out, &last, read_power(p), join, p);
+        join = cursor_accept(p->c, '*') ? '*' : cursor_accept(p->c, '/') ? '/' : '\0';
     }
-    for (;;) {
-        char operation = cursor_accept(p->c, '+') ? '+'
-                       : cursor_accept(p->c, '-') ? '-' : '\0';
-
-        if (operation == '\0')
-            return;
-        read_term(&right, p);
-        apply(out, operation, &right, p);
-    }
+    return out;
 }
 
-void formula_evaluate(struct value *out, struct cursor *c, int k, int g)
+static struct node *read_formula(struct parser *p)
 {
-    struct parser p = { .c = c, .k = k, .g = g, .nesting = 0 };
+    struct node *out, *first, *last = NULL;
+    bool minus = cursor_accept(p->c, '-');
+    char join;
 
-    read_formula(out, &p);
+    first = read_term(p);
+    join = cursor_accept(p->c, '+') ? '+' : cursor_accept(p->c, '-') ? '-' : '\0';
+    if (!minus && join == '\0')
+        return first;
+    out = new_node(NODE_SUM, p);
+    append(out, &last, first, minus ? '-' : '+', p);
+    while (join != '\0') {
+        append(out, &last, read_term(p), join, p);
+        join = cursor_accept(p->c, '+') ? '+' : cursor_accept(p->c, '-') ? '-' : '\0';
+    }
+    return out;
+}
+
+const struct node *formula_read(struct cursor *c, struct language *l, int allowed)
+{
+    struct parser p = { .c = c, .l = l, .allowed = allowed, .nesting = 0 };
+
+    return read_formula(&p);
+}
+
+const struct node *condition_read(struct cursor *c, struct language *l, int allowed)
+{
+    struct parser p = { .c = c, .l = l, .allowed = allowed, .nesting = 0 };
+
+    return read_condition(&p);
 }

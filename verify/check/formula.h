@@ -1,26 +1,71 @@
 #ifndef CHECK_FORMULA_H
 #define CHECK_FORMULA_H
 
-/* Formulas
- * ========
+/* Formulas and definitions
+ * ========================
  *
- * lib/scheme.md, "Value of a formula at a valence k".  A value is an exact
- * rational q, an angle q pi (q not 0), or an enclosure.
+ * lib/scheme.md, "Grammar": formulas and conditions are read into trees, once,
+ * and evaluated as often as needed (value.h).
  */
 
-#include "grid.h"
+#include "rational.h"
 #include "text.h"
 
-struct value {
-    enum { RATIONAL, ANGLE, ENCLOSURE } kind;
-    rational q;                                    /* RATIONAL, ANGLE */
-    interval x;                                    /* ENCLOSURE */
+/* What a formula depends on; bits. */
+enum { MEANS_K = 1, MEANS_M = 2, MEANS_J = 4 };
+
+struct node {
+    enum node_kind {
+        NODE_NUMBER, NODE_PI, NODE_K, NODE_M, NODE_J,
+        NODE_NAME,                                 /* a definition */
+        NODE_SUM, NODE_PRODUCT,                    /* operands by `join` */
+        NODE_POWER,                                /* base, exponent (join - : ^ -) */
+        NODE_COS, NODE_SIN, NODE_SQRT, NODE_ABS, NODE_MIN, NODE_MAX, NODE_MOD,
+        NODE_CASES,                                /* condition, formula ... else */
+        NODE_AND, NODE_OR,                         /* of comparisons */
+        NODE_COMPARISON                            /* two operands, by `join` of
+                                                      the second: = ! < l > g */
+    } kind;
+    char join;                                     /* + - * / : to what is before */
+    const struct node *first, *next;               /* operand; next of the same */
+    rational number;                               /* NODE_NUMBER */
+    int name;                                      /* NODE_NAME */
+    int meaning;                                   /* what it depends on */
+    int operations;                                /* definitions written out */
+    int line, column;
 };
 
-/* Reads a formula and evaluates it on the grid g.  k = 0: k may not occur. */
-void formula_evaluate(struct value *out, struct cursor *c, int k, int g);
+enum { MAX_DEFINITIONS = 64, MAX_WORD = 32 };
 
-/* The enclosure that a value is turned into. */
-void value_enclose(interval *out, const struct value *v, int g);
+/* A `let` has a formula; a parameter has its exact ends. */
+struct definition {
+    char name[MAX_WORD + 1];
+    const struct node *formula;                    /* NULL: a parameter */
+    rational low, high;
+};
+
+/* What formulas may name, and the first place of the text, if any, that goes
+ * beyond verify/scheme-0.md. */
+struct language {
+    const char *file;
+    int count;
+    struct definition definition[MAX_DEFINITIONS];
+    struct {
+        int line, column;
+        const char *message;                       /* NULL: none */
+    } beyond_0;
+};
+
+/* Reads a formula that may depend on what `allowed` says (MEANS_...). */
+const struct node *formula_read(struct cursor *c, struct language *l, int allowed);
+
+/* Reads conditions joined by `and` or `or`. */
+const struct node *condition_read(struct cursor *c, struct language *l, int allowed);
+
+/* Is it a word of the language? */
+bool word_is_reserved(const char *word);
+
+/* Remembers that the text goes beyond version 0 at c. */
+void beyond_version_0(struct language *l, const struct cursor *c, const char *message);
 
 #endif

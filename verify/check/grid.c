@@ -4,170 +4,168 @@
 
 #include "answer.h"
 
-void interval_set_ends(interval *out, const integer *lo, const integer *hi)
+void interval_keep(struct mark mark, interval *values, size_t count)
 {
+    integer_keep(mark, count > 0 ? &values[0].lo : NULL, 2 * count);
+}
+
+interval interval_of(integer lo, integer hi)
+{
+    interval out = { lo, hi };
+
     if (integer_compare(lo, hi) > 0)
         cannot_check("the checker's interval arithmetic is at fault");
-    integer_set(&out->lo, lo);
-    integer_set(&out->hi, hi);
+    return out;
 }
 
-void interval_set(interval *out, const interval *x)
+interval interval_thin(integer a)
 {
-    integer_set(&out->lo, &x->lo);
-    integer_set(&out->hi, &x->hi);
+    interval out = { a, a };
+
+    return out;
 }
 
-void interval_set_thin(interval *out, const integer *a)
+interval grid_from(int64_t a, int g)
 {
-    integer_set(&out->lo, a);
-    integer_set(&out->hi, a);
+    return interval_thin(integer_shift_left(integer_from(a), g));
 }
 
-void grid_set_small(interval *out, int64_t a, int g)
+interval grid_from_fraction(integer num, integer den, int g)
 {
-    integer_set_small(&out->lo, a);
-    integer_shift_left(&out->lo, &out->lo, g);
-    integer_set(&out->hi, &out->lo);
+    integer scaled = integer_shift_left(num, g);
+
+    return interval_of(integer_divide_floor(scaled, den),
+                       integer_divide_ceil(scaled, den));
 }
 
-void grid_from_fraction(interval *out, const integer *num, const integer *den,
-                        int g)
+interval grid_from_rational(rational q, int g)
 {
-    integer scaled, lo, hi;
-
-    integer_shift_left(&scaled, num, g);
-    integer_divide_floor(&lo, &scaled, den);
-    integer_divide_ceil(&hi, &scaled, den);
-    interval_set_ends(out, &lo, &hi);
+    return grid_from_fraction(q.num, q.den, g);
 }
 
-void grid_from_rational(interval *out, const rational *q, int g)
+interval interval_add(interval x, interval y)
 {
-    grid_from_fraction(out, &q->num, &q->den, g);
+    interval out = { integer_add(x.lo, y.lo), integer_add(x.hi, y.hi) };
+
+    return out;
 }
 
-void interval_add(interval *out, const interval *x, const interval *y)
+interval interval_sub(interval x, interval y)
 {
-    integer_add(&out->lo, &x->lo, &y->lo);
-    integer_add(&out->hi, &x->hi, &y->hi);
+    interval out = { integer_sub(x.lo, y.hi), integer_sub(x.hi, y.lo) };
+
+    return out;
 }
 
-void interval_sub(interval *out, const interval *x, const interval *y)
+interval interval_minus(interval x)
 {
-    integer lo;
+    interval out = { integer_negate(x.hi), integer_negate(x.lo) };
 
-    integer_sub(&lo, &x->lo, &y->hi);
-    integer_sub(&out->hi, &x->hi, &y->lo);
-    integer_set(&out->lo, &lo);
+    return out;
 }
 
-void interval_minus(interval *out, const interval *x)
+/* The product of intervals is spanned by the products of their endpoints; if one
+ * of them has a sign, it is known which.  (x < 0: by minus x and minus y.) */
+interval grid_mul(interval x, interval y, int g)
 {
-    integer lo;
+    integer least, greatest;
 
-    integer_negate(&lo, &x->hi);
-    integer_negate(&out->hi, &x->lo);
-    integer_set(&out->lo, &lo);
-}
-
-/* least and greatest: those of them and of a. */
-static void include(integer *least, integer *greatest, const integer *a)
-{
-    if (integer_compare(a, least) < 0)
-        integer_set(least, a);
-    if (integer_compare(a, greatest) > 0)
-        integer_set(greatest, a);
-}
-
-/* A bilinear function on a box has its extremes at the corners. */
-void grid_mul(interval *out, const interval *x, const interval *y, int g)
-{
-    bool x_thin = integer_compare(&x->lo, &x->hi) == 0;
-    bool y_thin = integer_compare(&y->lo, &y->hi) == 0;
-    integer least, greatest, product;
-
-    integer_mul(&least, &x->lo, &y->lo);
-    integer_set(&greatest, &least);
-    if (!x_thin) {
-        integer_mul(&product, &x->hi, &y->lo);
-        include(&least, &greatest, &product);
+    if (x.hi.sign <= 0 && x.lo.sign < 0) {
+        x = interval_minus(x);
+        y = interval_minus(y);
     }
-    if (!y_thin) {
-        integer_mul(&product, &x->lo, &y->hi);
-        include(&least, &greatest, &product);
+    if (x.lo.sign >= 0) {
+        least = integer_mul(y.lo.sign >= 0 ? x.lo : x.hi, y.lo);
+        greatest = integer_mul(y.hi.sign >= 0 ? x.hi : x.lo, y.hi);
+    } else {
+        least = integer_min(integer_mul(x.lo, y.hi), integer_mul(x.hi, y.lo));
+        greatest = integer_max(integer_mul(x.lo, y.lo), integer_mul(x.hi, y.hi));
     }
-    if (!x_thin && !y_thin) {
-        integer_mul(&product, &x->hi, &y->hi);
-        include(&least, &greatest, &product);
-    }
-    integer_shift_floor(&out->lo, &least, g);
-    integer_shift_ceil(&out->hi, &greatest, g);
+    return interval_of(integer_shift_floor(least, g),
+                       integer_shift_ceil(greatest, g));
 }
 
-/* Monotone in each variable, so again the corners decide; and floor and
- * ceiling are monotone, so they may be taken before least and greatest. */
-void grid_div(interval *out, const interval *x, const interval *y, int g)
+/* Monotone in each variable, so the corners decide; and floor and ceiling are
+ * monotone, so they may be taken before least and greatest. */
+interval grid_div(interval x, interval y, int g)
 {
-    integer lo, hi, scaled, quotient;
-    const integer *x_end[2] = { &x->lo, &x->hi };
-    const integer *y_end[2] = { &y->lo, &y->hi };
+    interval out = { integer_from(0), integer_from(0) };
 
     if (interval_contains_zero(y))
         cannot_check("the checker divides by zero");
-    for (int i = 0; i < 2; i++) {
-        for (int j = 0; j < 2; j++) {
-            integer_shift_left(&scaled, x_end[i], g);
-            integer_divide_floor(&quotient, &scaled, y_end[j]);
-            if ((i == 0 && j == 0) || integer_compare(&quotient, &lo) < 0)
-                integer_set(&lo, &quotient);
-            integer_divide_ceil(&quotient, &scaled, y_end[j]);
-            if ((i == 0 && j == 0) || integer_compare(&quotient, &hi) > 0)
-                integer_set(&hi, &quotient);
-        }
+    for (int i = 0; i < 4; i++) {
+        integer scaled = integer_shift_left(i % 2 == 0 ? x.lo : x.hi, g);
+        integer end = i < 2 ? y.lo : y.hi;
+        integer floor = integer_divide_floor(scaled, end);
+        integer ceiling = integer_divide_ceil(scaled, end);
+
+        out.lo = i == 0 ? floor : integer_min(out.lo, floor);
+        out.hi = i == 0 ? ceiling : integer_max(out.hi, ceiling);
     }
-    interval_set_ends(out, &lo, &hi);
+    return out;
 }
 
-void interval_hull(interval *out, const interval *x, const interval *y)
+/* sqrt(a 2^-g) = sqrt(a 2^g) 2^-g */
+interval grid_root(interval x, int g)
 {
-    integer_set(&out->lo,
-                integer_compare(&x->lo, &y->lo) <= 0 ? &x->lo : &y->lo);
-    integer_set(&out->hi,
-                integer_compare(&x->hi, &y->hi) >= 0 ? &x->hi : &y->hi);
+    integer lower = integer_shift_left(x.lo, g), upper = integer_shift_left(x.hi, g);
+    integer root = integer_root(upper);
+
+    if (integer_compare(integer_mul(root, root), upper) < 0)
+        root = integer_add(root, integer_from(1));
+    return interval_of(integer_root(lower), root);
 }
 
-void interval_magnitude(integer *out, const interval *x)
+interval interval_hull(interval x, interval y)
 {
-    integer lo, hi;
-
-    integer_absolute(&lo, &x->lo);
-    integer_absolute(&hi, &x->hi);
-    integer_set(out, integer_compare(&lo, &hi) > 0 ? &lo : &hi);
+    return interval_of(integer_min(x.lo, y.lo), integer_max(x.hi, y.hi));
 }
 
-void interval_mid(integer *out, const interval *x)
+interval interval_min(interval x, interval y)
 {
-    integer sum;
-
-    integer_add(&sum, &x->lo, &x->hi);
-    integer_shift_floor(out, &sum, 1);
+    return interval_of(integer_min(x.lo, y.lo), integer_min(x.hi, y.hi));
 }
 
-void interval_rad(integer *out, const interval *x)
+interval interval_max(interval x, interval y)
 {
-    integer mid;
-
-    interval_mid(&mid, x);
-    integer_sub(out, &x->hi, &mid);
+    return interval_of(integer_max(x.lo, y.lo), integer_max(x.hi, y.hi));
 }
 
-bool interval_contains_zero(const interval *x)
+interval interval_abs(interval x)
 {
-    return x->lo.sign <= 0 && x->hi.sign >= 0;
+    if (x.lo.sign >= 0)
+        return x;
+    if (x.hi.sign <= 0)
+        return interval_minus(x);
+    return interval_of(integer_from(0), interval_magnitude(x));
 }
 
-bool interval_is_positive(const interval *x)
+integer interval_magnitude(interval x)
 {
-    return x->lo.sign > 0;
+    return integer_max(integer_absolute(x.lo), integer_absolute(x.hi));
+}
+
+integer interval_mid(interval x)
+{
+    return integer_shift_floor(integer_add(x.lo, x.hi), 1);
+}
+
+integer interval_rad(interval x)
+{
+    return integer_sub(x.hi, interval_mid(x));
+}
+
+bool interval_contains_zero(interval x)
+{
+    return x.lo.sign <= 0 && x.hi.sign >= 0;
+}
+
+bool interval_is_zero(interval x)
+{
+    return x.lo.sign == 0 && x.hi.sign == 0;
+}
+
+bool interval_is_positive(interval x)
+{
+    return x.lo.sign > 0;
 }

@@ -8,7 +8,7 @@
  * denotes [lo 2^-g, hi 2^-g]; g is the same throughout a check and is the last
  * argument of whatever depends on it.  Every operation yields an interval that
  * contains the exact results for all points of its operands, with exactly the
- * endpoints that the specification asks for.  Outputs may be inputs.
+ * endpoints that the specification asks for.
  */
 
 #include "rational.h"
@@ -17,33 +17,37 @@ typedef struct {
     integer lo, hi;
 } interval;
 
-void interval_set(interval *out, const interval *x);
+/* Releases scratch memory down to the mark, all but what these consist of. */
+void interval_keep(struct mark mark, interval *values, size_t count);
 
 /* [a, a] and [lo, hi], in units of 2^-g. */
-void interval_set_thin(interval *out, const integer *a);
-void interval_set_ends(interval *out, const integer *lo, const integer *hi);
+interval interval_thin(integer a);
+interval interval_of(integer lo, integer hi);
 
 /* The integer a, thin. */
-void grid_set_small(interval *out, int64_t a, int g);
+interval grid_from(int64_t a, int g);
 
-/* The least interval that contains num/den; den > 0. */
-void grid_from_fraction(interval *out, const integer *num, const integer *den,
-                        int g);
-void grid_from_rational(interval *out, const rational *q, int g);
+/* The least interval that contains num/den (den > 0), or q. */
+interval grid_from_fraction(integer num, integer den, int g);
+interval grid_from_rational(rational q, int g);
 
-void interval_add(interval *out, const interval *x, const interval *y);
-void interval_sub(interval *out, const interval *x, const interval *y);
-void interval_minus(interval *out, const interval *x);
-void grid_mul(interval *out, const interval *x, const interval *y, int g);
-void grid_div(interval *out, const interval *x, const interval *y, int g);
-                                                   /* 0 not in y */
+interval interval_add(interval x, interval y);
+interval interval_sub(interval x, interval y);
+interval interval_minus(interval x);
+interval grid_mul(interval x, interval y, int g);
+interval grid_div(interval x, interval y, int g);  /* 0 not in y */
+interval grid_root(interval x, int g);             /* lo >= 0 */
 
-void interval_hull(interval *out, const interval *x, const interval *y);
-void interval_magnitude(integer *out, const interval *x);    /* max |x| */
-void interval_mid(integer *out, const interval *x);
-void interval_rad(integer *out, const interval *x);          /* hi - mid */
+interval interval_hull(interval x, interval y);
+interval interval_min(interval x, interval y);
+interval interval_max(interval x, interval y);
+interval interval_abs(interval x);
+integer interval_magnitude(interval x);            /* max |x| */
+integer interval_mid(interval x);
+integer interval_rad(interval x);                  /* hi - mid */
 
-bool interval_contains_zero(const interval *x);
-bool interval_is_positive(const interval *x);                /* lo > 0 */
+bool interval_contains_zero(interval x);
+bool interval_is_zero(interval x);                 /* [0, 0] */
+bool interval_is_positive(interval x);             /* lo > 0 */
 
 #endif

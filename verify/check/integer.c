@@ -1,8 +1,8 @@
 /* Integers of fixed capacity.
  *
- * School arithmetic on limbs in base 2^32, with products in uint64_t.  The one
- * difficult algorithm, long division, is not trusted: its quotient is
- * multiplied back and compared each time it is used (divide()).
+ * School arithmetic on limbs in base 2^32, with products in uint64_t.  What is
+ * difficult is not trusted: long division multiplies its quotient back and
+ * compares each time (divide()), and the square root is squared.
  *
  * Work is counted here, since all time is spent here: after WORK_LIMIT limb
  * products the answer is "cannot check".  So every run ends.
@@ -12,12 +12,13 @@
 
 #include "answer.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* About a quarter of an hour. */
 static const uint64_t WORK_LIMIT = UINT64_C(1000000000000);
 
-static void count_work(int rows, int columns)
+void integer_count_work(int rows, int columns)
 {
     static uint64_t work = 0;
 
@@ -29,90 +30,127 @@ static void count_work(int rows, int columns)
 /* Magnitudes
  * ---------- */
 
-static int trimmed(const uint32_t *limb, int length)
+static const uint32_t *limbs(const integer *a)
 {
-    while (length > 0 && limb[length - 1] == 0)
-        length--;
-    return length;
+    return a->length <= SHORT_LIMBS ? a->limb.here : a->limb.there;
 }
 
-/* out = sign * limb[0..length); limb may be out->limb. */
-static void set_limbs(integer *out, int sign, const uint32_t *limb, int length)
+/* sign * limb[0..length) */
+static integer make(int sign, const uint32_t *limb, int length)
 {
-    length = trimmed(limb, length);
+    integer out;
+
+    while (length > 0 && limb[length - 1] == 0)
+        length--;
+    out.sign = length > 0 ? sign : 0;
+    out.length = length;
+    if (length <= SHORT_LIMBS) {
+        for (int i = 0; i < length; i++)
+            out.limb.here[i] = limb[i];
+        return out;
+    }
     if (length > INTEGER_LIMBS)
         cannot_check("a number of more than %d bits occurs", 32 * INTEGER_LIMBS);
-    if (limb != out->limb && length > 0)
-        memmove(out->limb, limb, (size_t)length * sizeof limb[0]);
-    out->length = length;
-    out->sign = length > 0 ? sign : 0;
+    out.limb.there = memcpy(scratch_new((size_t)length * sizeof limb[0]), limb,
+                            (size_t)length * sizeof limb[0]);
+    return out;
+}
+
+void integer_keep(struct mark mark, integer *values, size_t count)
+{
+    size_t total = 0, used = 0;
+    uint32_t *copy, *home;
+
+    for (size_t i = 0; i < count; i++)
+        if (values[i].length > SHORT_LIMBS)
+            total += (size_t)values[i].length;
+    if (total == 0) {
+        scratch_release(mark);
+        return;
+    }
+    copy = malloc(total * sizeof copy[0]);
+    if (copy == NULL)
+        cannot_check("there is not enough memory");
+    for (size_t i = 0; i < count; i++) {
+        if (values[i].length > SHORT_LIMBS) {
+            memcpy(copy + used, values[i].limb.there,
+                   (size_t)values[i].length * sizeof copy[0]);
+            used += (size_t)values[i].length;
+        }
+    }
+    scratch_release(mark);
+    home = memcpy(scratch_new(total * sizeof home[0]), copy, total * sizeof home[0]);
+    free(copy);
+    for (size_t i = 0; i < count; i++) {
+        if (values[i].length > SHORT_LIMBS) {
+            values[i].limb.there = home;
+            home += values[i].length;
+        }
+    }
+}
+
+void integer_store(integer *a, uint32_t *home)
+{
+    if (a->length > SHORT_LIMBS)
+        a->limb.there = memcpy(home, a->limb.there,
+                               (size_t)a->length * sizeof home[0]);
 }
 
 static int compare_magnitudes(const integer *a, const integer *b)
 {
+    const uint32_t *x = limbs(a), *y = limbs(b);
+
     if (a->length != b->length)
         return a->length < b->length ? -1 : 1;
     for (int i = a->length - 1; i >= 0; i--)
-        if (a->limb[i] != b->limb[i])
-            return a->limb[i] < b->limb[i] ? -1 : 1;
+        if (x[i] != y[i])
+            return x[i] < y[i] ? -1 : 1;
     return 0;
 }
 
-/* out = sign (|a| + |b|) */
-static void add_magnitudes(integer *out, int sign, const integer *a,
-                           const integer *b)
+/* sign (|a| + |b|), where a is not shorter */
+static integer add_magnitudes(int sign, const integer *a, const integer *b)
 {
     uint32_t sum[INTEGER_LIMBS + 1];
-    int length = a->length > b->length ? a->length : b->length;
+    const uint32_t *x = limbs(a), *y = limbs(b);
     uint64_t carry = 0;
 
-    for (int i = 0; i < length; i++) {
-        carry += (uint64_t)(i < a->length ? a->limb[i] : 0);
-        carry += (uint64_t)(i < b->length ? b->limb[i] : 0);
+    for (int i = 0; i < a->length; i++) {
+        carry += (uint64_t)x[i] + (i < b->length ? y[i] : 0);
         sum[i] = (uint32_t)(carry & 0xffffffffu);
         carry >>= 32;
     }
-    sum[length] = (uint32_t)carry;
-    set_limbs(out, sign, sum, length + 1);
+    sum[a->length] = (uint32_t)carry;
+    return make(sign, sum, a->length + 1);
 }
 
-/* out = sign (|a| - |b|) where |a| >= |b| */
-static void sub_magnitudes(integer *out, int sign, const integer *a,
-                           const integer *b)
+/* sign (|a| - |b|) where |a| >= |b| */
+static integer sub_magnitudes(int sign, const integer *a, const integer *b)
 {
     uint32_t difference[INTEGER_LIMBS];
-    int length = a->length;
+    const uint32_t *x = limbs(a), *y = limbs(b);
     uint64_t borrow = 0;
 
-    for (int i = 0; i < length; i++) {
-        uint64_t take = (uint64_t)(i < b->length ? b->limb[i] : 0) + borrow;
-        uint64_t from = a->limb[i];
+    for (int i = 0; i < a->length; i++) {
+        uint64_t take = (uint64_t)(i < b->length ? y[i] : 0) + borrow;
+        uint64_t from = x[i];
 
         borrow = from < take ? 1 : 0;
         difference[i] = (uint32_t)((from + (borrow << 32) - take) & 0xffffffffu);
     }
-    set_limbs(out, sign, difference, length);
+    return make(sign, difference, a->length);
 }
 
 /* Values in and out
  * ----------------- */
 
-void integer_set(integer *out, const integer *a)
-{
-    if (out == a)
-        return;
-    out->sign = a->sign;
-    out->length = a->length;
-    memcpy(out->limb, a->limb, (size_t)a->length * sizeof a->limb[0]);
-}
-
-void integer_set_small(integer *out, int64_t a)
+integer integer_from(int64_t a)
 {
     uint64_t magnitude = a < 0 ? (uint64_t)0 - (uint64_t)a : (uint64_t)a;
+    uint32_t limb[2] = { (uint32_t)(magnitude & 0xffffffffu),
+                         (uint32_t)(magnitude >> 32) };
 
-    out->limb[0] = (uint32_t)(magnitude & 0xffffffffu);
-    out->limb[1] = (uint32_t)(magnitude >> 32);
-    set_limbs(out, a < 0 ? -1 : 1, out->limb, 2);
+    return make(a < 0 ? -1 : 1, limb, 2);
 }
 
 static int hex_digit(char c)
@@ -129,6 +167,7 @@ bool integer_read_hex(integer *out, const char *text, size_t size)
     bool negative = size > 0 && text[0] == '-';
     const char *digit = text + (negative ? 1 : 0);
     size_t digits = size - (negative ? 1 : 0);
+    uint32_t limb[INTEGER_LIMBS] = { 0 };
 
     if (digits == 0)
         return false;
@@ -139,164 +178,111 @@ bool integer_read_hex(integer *out, const char *text, size_t size)
         return false;
     if (digits > 8 * INTEGER_LIMBS)
         cannot_check("a number of more than %d bits occurs", 32 * INTEGER_LIMBS);
-
-    int length = (int)((digits + 7) / 8);
-
-    for (int i = 0; i < length; i++)
-        out->limb[i] = 0;
-    for (size_t i = 0; i < digits; i++) {          /* i-th digit from the right */
-        uint32_t value = (uint32_t)hex_digit(digit[digits - 1 - i]);
-
-        out->limb[i / 8] |= value << (4 * (i % 8));
-    }
-    set_limbs(out, negative ? -1 : 1, out->limb, length);
+    for (size_t i = 0; i < digits; i++)            /* i-th digit from the right */
+        limb[i / 8] |= (uint32_t)hex_digit(digit[digits - 1 - i]) << (4 * (i % 8));
+    *out = make(negative ? -1 : 1, limb, (int)((digits + 7) / 8));
     return true;
 }
 
-int integer_compare(const integer *a, const integer *b)
+int integer_compare(integer a, integer b)
 {
-    if (a->sign != b->sign)
-        return a->sign < b->sign ? -1 : 1;
-    return a->sign * compare_magnitudes(a, b);
+    if (a.sign != b.sign)
+        return a.sign < b.sign ? -1 : 1;
+    return a.sign * compare_magnitudes(&a, &b);
 }
 
-long integer_bits(const integer *a)
+long integer_bits(integer a)
 {
-    long bits = 32L * a->length;
+    long bits = 32L * a.length;
 
-    if (a->length == 0)
+    if (a.length == 0)
         return 0;
-    for (uint32_t top = a->limb[a->length - 1]; top < 0x80000000u; top <<= 1)
+    for (uint32_t top = limbs(&a)[a.length - 1]; top < 0x80000000u; top <<= 1)
         bits--;
     return bits;
 }
 
-bool integer_get_small(int64_t *out, const integer *a, int64_t bound)
+bool integer_get_small(int64_t *out, integer a, int64_t bound)
 {
     uint64_t magnitude = 0;
 
-    if (a->length > 2)
+    if (a.length > 2)
         return false;
-    for (int i = a->length - 1; i >= 0; i--)
-        magnitude = magnitude << 32 | a->limb[i];
+    for (int i = a.length - 1; i >= 0; i--)
+        magnitude = magnitude << 32 | a.limb.here[i];
     if (bound < 0 || magnitude > (uint64_t)bound)
         return false;
-    *out = a->sign * (int64_t)magnitude;
+    *out = a.sign * (int64_t)magnitude;
     return true;
 }
 
 /* Exact arithmetic
  * ---------------- */
 
-void integer_negate(integer *out, const integer *a)
+integer integer_negate(integer a)
 {
-    integer_set(out, a);
-    out->sign = -out->sign;
+    a.sign = -a.sign;
+    return a;
 }
 
-void integer_absolute(integer *out, const integer *a)
+integer integer_absolute(integer a)
 {
-    integer_set(out, a);
-    out->sign = out->sign != 0 ? 1 : 0;
+    a.sign = a.sign != 0 ? 1 : 0;
+    return a;
 }
 
-/* out = a + b_sign |b| */
-static void add_signed(integer *out, const integer *a, int b_sign,
-                       const integer *b)
+integer integer_add(integer a, integer b)
 {
-    if (a->sign == 0) {
-        integer_set(out, b);
-        out->sign = b_sign;
-    } else if (b_sign == 0) {
-        integer_set(out, a);
-    } else if (a->sign == b_sign) {
-        add_magnitudes(out, b_sign, a, b);
-    } else if (compare_magnitudes(a, b) >= 0) {
-        sub_magnitudes(out, a->sign, a, b);
-    } else {
-        sub_magnitudes(out, b_sign, b, a);
-    }
+    if (a.sign == 0)
+        return b;
+    if (b.sign == 0)
+        return a;
+    if (a.sign == b.sign)
+        return a.length >= b.length ? add_magnitudes(a.sign, &a, &b)
+                                    : add_magnitudes(a.sign, &b, &a);
+    if (compare_magnitudes(&a, &b) >= 0)
+        return sub_magnitudes(a.sign, &a, &b);
+    return sub_magnitudes(b.sign, &b, &a);
 }
 
-void integer_add(integer *out, const integer *a, const integer *b)
+integer integer_sub(integer a, integer b)
 {
-    add_signed(out, a, b->sign, b);
+    return integer_add(a, integer_negate(b));
 }
 
-void integer_sub(integer *out, const integer *a, const integer *b)
-{
-    add_signed(out, a, -b->sign, b);
-}
-
-void integer_mul(integer *out, const integer *a, const integer *b)
+integer integer_mul(integer a, integer b)
 {
     uint32_t product[2 * INTEGER_LIMBS];
-    int sign = a->sign * b->sign;
+    const uint32_t *x = limbs(&a), *y = limbs(&b);
 
-    count_work(a->length, b->length);
-    if (sign == 0) {
-        integer_set_small(out, 0);
-        return;
-    }
-    for (int i = 0; i < a->length + b->length; i++)
+    if (a.sign == 0 || b.sign == 0)
+        return integer_from(0);
+    integer_count_work(a.length, b.length);
+    for (int i = 0; i < a.length + b.length; i++)
         product[i] = 0;
-    for (int i = 0; i < a->length; i++) {
-        uint64_t factor = a->limb[i];
+    for (int i = 0; i < a.length; i++) {
+        uint64_t factor = x[i];
         uint64_t carry = 0;
 
         /* (2^32-1)^2 + 2 (2^32-1) < 2^64: no overflow. */
-        for (int j = 0; j < b->length; j++) {
-            carry += factor * b->limb[j] + product[i + j];
+        for (int j = 0; j < b.length; j++) {
+            carry += factor * y[j] + product[i + j];
             product[i + j] = (uint32_t)(carry & 0xffffffffu);
             carry >>= 32;
         }
-        product[i + b->length] = (uint32_t)carry;
+        product[i + b.length] = (uint32_t)carry;
     }
-    set_limbs(out, sign, product, a->length + b->length);
+    return make(a.sign * b.sign, product, a.length + b.length);
 }
 
-void integer_shift_left(integer *out, const integer *a, long bits)
+integer integer_min(integer a, integer b)
 {
-    uint32_t shifted[INTEGER_LIMBS + 1];
-    int sign = a->sign;
-
-    if (sign == 0) {
-        integer_set_small(out, 0);
-        return;
-    }
-    if (bits < 0 || bits + integer_bits(a) > 32L * INTEGER_LIMBS)
-        cannot_check("a number of more than %d bits occurs", 32 * INTEGER_LIMBS);
-
-    int limbs = (int)(bits / 32);
-    int rest = (int)(bits % 32);
-    int length = a->length + limbs;                /* one more limb may follow */
-    uint64_t carry = 0;
-
-    for (int i = 0; i < limbs; i++)
-        shifted[i] = 0;
-    for (int i = 0; i < a->length; i++) {
-        carry |= (uint64_t)a->limb[i] << rest;
-        shifted[limbs + i] = (uint32_t)(carry & 0xffffffffu);
-        carry >>= 32;
-    }
-    shifted[length] = (uint32_t)carry;
-    set_limbs(out, sign, shifted, length + 1);
+    return integer_compare(a, b) <= 0 ? a : b;
 }
 
-/* Division
- * -------- */
-
-/* quotient = floor(|a| / d), d > 0; returns the remainder. */
-static uint32_t divide_by_limb(uint32_t *quotient, const integer *a, uint32_t d)
+integer integer_max(integer a, integer b)
 {
-    uint64_t rest = 0;
-
-    for (int i = a->length - 1; i >= 0; i--) {
-        rest = rest << 32 | a->limb[i];
-        quotient[i] = (uint32_t)(rest / d);
-        rest %= d;
-    }
-    return (uint32_t)rest;
+    return integer_compare(a, b) >= 0 ? a : b;
 }
 
 /* limb << bits into out[0..length], one limb longer; 0 <= bits < 32. */
@@ -312,6 +298,36 @@ static void shift_limbs(uint32_t *out, const uint32_t *limb, int length, int bit
     out[length] = (uint32_t)carry;
 }
 
+integer integer_shift_left(integer a, long bits)
+{
+    uint32_t shifted[INTEGER_LIMBS + 2];
+    int zeros = (int)(bits / 32);
+
+    if (a.sign == 0)
+        return a;
+    if (bits < 0 || bits + integer_bits(a) > 32L * INTEGER_LIMBS)
+        cannot_check("a number of more than %d bits occurs", 32 * INTEGER_LIMBS);
+    for (int i = 0; i < zeros; i++)
+        shifted[i] = 0;
+    shift_limbs(shifted + zeros, limbs(&a), a.length, (int)(bits % 32));
+    return make(a.sign, shifted, zeros + a.length + 1);
+}
+
+/* Division
+ * -------- */
+
+/* quotient = floor(|a| / d), d > 0. */
+static void divide_by_limb(uint32_t *quotient, const integer *a, uint32_t d)
+{
+    uint64_t rest = 0;
+
+    for (int i = a->length - 1; i >= 0; i--) {
+        rest = rest << 32 | limbs(a)[i];
+        quotient[i] = (uint32_t)(rest / d);
+        rest %= d;
+    }
+}
+
 /* quotient[0 .. a.length - b.length] = floor(|a| / |b|), for a.length >=
  * b.length >= 2: Knuth, The Art of Computer Programming 2, 4.3.1, Algorithm D.
  * divide() checks the result. */
@@ -321,10 +337,10 @@ static void divide_long(uint32_t *quotient, const integer *a, const integer *b)
     int n = b->length;
     int bits = 0;
 
-    while ((b->limb[n - 1] << bits & 0x80000000u) == 0)
+    while ((limbs(b)[n - 1] << bits & 0x80000000u) == 0)
         bits++;
-    shift_limbs(rest, a->limb, a->length, bits);
-    shift_limbs(divisor, b->limb, n, bits);
+    shift_limbs(rest, limbs(a), a->length, bits);
+    shift_limbs(divisor, limbs(b), n, bits);
 
     for (int j = a->length - n; j >= 0; j--) {
         uint64_t top = (uint64_t)rest[j + n] << 32 | rest[j + n - 1];
@@ -365,126 +381,126 @@ static void divide_long(uint32_t *quotient, const integer *a, const integer *b)
     }
 }
 
-/* quotient = floor(a / b), rest = a - quotient b, for b > 0.  Whatever the
- * long division did, 0 <= rest < b holds at the end. */
-static void divide(integer *quotient, integer *rest, const integer *a,
-                   const integer *b)
+/* Returns floor(a / b), rest = a - b floor(a / b), for b > 0.  Whatever the long
+ * division did, 0 <= rest < b holds at the end. */
+static integer divide(integer *rest, integer a, integer b)
 {
     uint32_t limb[INTEGER_LIMBS + 1];
-    integer q, r, one;
+    integer q;
 
-    count_work(a->length, b->length);
-    if (compare_magnitudes(a, b) < 0)
-        integer_set_small(&q, 0);
-    else if (b->length == 1) {
-        divide_by_limb(limb, a, b->limb[0]);
-        set_limbs(&q, a->sign, limb, a->length);
+    integer_count_work(a.length, b.length);
+    if (compare_magnitudes(&a, &b) < 0) {
+        q = integer_from(0);
+    } else if (b.length == 1) {
+        divide_by_limb(limb, &a, b.limb.here[0]);
+        q = make(a.sign, limb, a.length);
     } else {
-        divide_long(limb, a, b);
-        set_limbs(&q, a->sign, limb, a->length - b->length + 1);
+        divide_long(limb, &a, &b);
+        q = make(a.sign, limb, a.length - b.length + 1);
     }
-
-    integer_mul(&r, &q, b);
-    integer_sub(&r, a, &r);
-    if (r.sign < 0) {                              /* from truncation to floor */
-        integer_set_small(&one, 1);
-        integer_sub(&q, &q, &one);
-        integer_add(&r, &r, b);
+    *rest = integer_sub(a, integer_mul(q, b));
+    if (rest->sign < 0) {                          /* from truncation to floor */
+        q = integer_sub(q, integer_from(1));
+        *rest = integer_add(*rest, b);
     }
-    if (r.sign < 0 || integer_compare(&r, b) >= 0)
+    if (rest->sign < 0 || integer_compare(*rest, b) >= 0)
         cannot_check("the checker's division is at fault");
-    integer_set(quotient, &q);
-    integer_set(rest, &r);
+    return q;
 }
 
-void integer_divide_floor(integer *out, const integer *a, const integer *b)
+integer integer_divide_floor(integer a, integer b)
 {
-    integer n, d, rest;
+    integer rest;
 
-    if (b->sign == 0)
+    if (b.sign == 0)
         cannot_check("the checker divides by zero");
-    integer_set(&n, a);
-    integer_set(&d, b);
-    if (d.sign < 0) {
-        n.sign = -n.sign;
-        d.sign = 1;
-    }
-    divide(out, &rest, &n, &d);
+    if (b.sign < 0)
+        return divide(&rest, integer_negate(a), integer_negate(b));
+    return divide(&rest, a, b);
 }
 
-void integer_divide_ceil(integer *out, const integer *a, const integer *b)
+integer integer_divide_ceil(integer a, integer b)
 {
-    integer minus_a;
-
-    integer_negate(&minus_a, a);
-    integer_divide_floor(out, &minus_a, b);
-    integer_negate(out, out);
+    return integer_negate(integer_divide_floor(integer_negate(a), b));
 }
 
-/* out = a / 2^bits, towards 0; returns whether anything was lost. */
-static bool shift_right(integer *out, const integer *a, long bits)
+/* a / 2^bits, towards 0, or if `away` away from 0. */
+static integer shift_right(integer a, long bits, bool away)
 {
-    int sign = a->sign;
+    uint32_t shifted[INTEGER_LIMBS];
+    const uint32_t *limb = limbs(&a);
+    int skip = (int)(bits / 32), rest = (int)(bits % 32), length = a.length - skip;
     bool lost = false;
+    integer out;
 
     if (bits < 0)
         cannot_check("the checker shifts by a negative number");
-    if (bits >= integer_bits(a)) {
-        integer_set_small(out, 0);
-        return sign != 0;
-    }
-
-    int limbs = (int)(bits / 32);
-    int rest = (int)(bits % 32);
-    int length = a->length - limbs;
-
-    for (int i = 0; i < limbs; i++)
-        lost = lost || a->limb[i] != 0;
-    lost = lost || (a->limb[limbs] & (((uint32_t)1 << rest) - 1)) != 0;
-    for (int i = 0; i < length; i++) {             /* reads at or above i */
-        uint64_t both = a->limb[limbs + i];
+    if (length <= 0)
+        return integer_from(away ? a.sign : 0);
+    for (int i = 0; i < length; i++) {
+        uint64_t both = limb[skip + i];
 
         if (i + 1 < length)
-            both |= (uint64_t)a->limb[limbs + i + 1] << 32;
-        out->limb[i] = (uint32_t)(both >> rest & 0xffffffffu);
+            both |= (uint64_t)limb[skip + i + 1] << 32;
+        shifted[i] = (uint32_t)(both >> rest & 0xffffffffu);
     }
-    set_limbs(out, sign, out->limb, length);
-    return lost;
+    out = make(a.sign, shifted, length);
+    if (!away)
+        return out;
+    for (int i = 0; i < skip && !lost; i++)
+        lost = limb[i] != 0;
+    lost = lost || (limb[skip] & (((uint32_t)1 << rest) - 1)) != 0;
+    return lost ? integer_add(out, integer_from(a.sign)) : out;
 }
 
-void integer_shift_floor(integer *out, const integer *a, long bits)
+integer integer_shift_floor(integer a, long bits)
 {
-    bool negative = a->sign < 0;
-    integer one;
-
-    if (shift_right(out, a, bits) && negative) {
-        integer_set_small(&one, 1);
-        integer_sub(out, out, &one);
-    }
+    return shift_right(a, bits, a.sign < 0);
 }
 
-void integer_shift_ceil(integer *out, const integer *a, long bits)
+integer integer_shift_ceil(integer a, long bits)
 {
-    bool positive = a->sign > 0;
-    integer one;
-
-    if (shift_right(out, a, bits) && positive) {
-        integer_set_small(&one, 1);
-        integer_add(out, out, &one);
-    }
+    return shift_right(a, bits, a.sign > 0);
 }
 
 /* Euclid: gcd(x, y) = gcd(y, x mod y). */
-void integer_gcd(integer *out, const integer *a, const integer *b)
+integer integer_gcd(integer a, integer b)
 {
-    integer x, y, quotient, rest;
+    struct mark mark = scratch_mark();
+    integer pair[2] = { integer_absolute(a), integer_absolute(b) };
 
-    integer_absolute(&x, a);
-    integer_absolute(&y, b);
-    while (y.sign != 0) {
-        divide(&quotient, &rest, &x, &y);
-        integer_set(&x, &y);
-        integer_set(&y, &rest);
+    while (pair[1].sign != 0) {
+        integer rest;
+
+        divide(&rest, pair[0], pair[1]);
+        pair[0] = pair[1];
+        pair[1] = rest;
+        integer_keep(mark, pair, 2);
     }
-    integer_set(out, &x);
+    return pair[0];
+}
+
+/* Newton's iteration from above: x > floor(root) implies that
+ * floor((x + floor(a/x))/2) is smaller than x and not below floor(root). */
+integer integer_root(integer a)
+{
+    struct mark mark = scratch_mark();
+    integer x, next, above;
+
+    if (a.sign <= 0)
+        return integer_from(0);
+    x = integer_shift_left(integer_from(1), (integer_bits(a) + 1) / 2);
+    for (;;) {
+        next = integer_shift_floor(integer_add(x, integer_divide_floor(a, x)), 1);
+        if (integer_compare(next, x) >= 0)
+            break;
+        x = next;
+        integer_keep(mark, &x, 1);
+    }
+    above = integer_add(x, integer_from(1));
+    if (integer_compare(integer_mul(x, x), a) > 0 ||
+        integer_compare(integer_mul(above, above), a) <= 0)
+        cannot_check("the checker's square root is at fault");
+    integer_keep(mark, &x, 1);
+    return x;
 }

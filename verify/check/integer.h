@@ -5,68 +5,86 @@
  * ========
  *
  * An integer is a sign and a magnitude of `length` limbs, 32 bits each, least
- * first.  Always: the top limb is not 0; length = 0 iff sign = 0.  Limbs
- * beyond the length are never read, so short numbers are quick.
+ * first.  Always: the top limb is not 0; length = 0 iff sign = 0.  Integers are
+ * values: functions take and return them, and nothing changes one.
  *
- * The capacity is fixed.  It holds the product of two grid numbers of
- * 8192 + 64 bits (certificate.md, section 1) and a little more.  A result that
- * would not fit ends the program with "cannot check": no result is ever wrong.
+ * The limbs of short integers are in the structure, those of longer ones in
+ * scratch memory (scratch.h): what is to survive a release goes through
+ * integer_keep().
  *
- * Outputs come first and may be the same objects as inputs.
+ * The capacity is fixed: it holds products of two rational parts of 16,384 bits
+ * (lib/scheme.md) and a little more.  A result that would not fit ends the
+ * program with "cannot check": no result is ever wrong.
  */
 
+#include "scratch.h"
+
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 
-enum { INTEGER_LIMBS = 544 };                      /* 17,408 bits */
+enum { INTEGER_LIMBS = 1056, SHORT_LIMBS = 6 };    /* 33,792 bits */
 
 typedef struct {
     int sign;                                      /* -1, 0 or 1 */
     int length;
-    uint32_t limb[INTEGER_LIMBS];
+    union {
+        uint32_t here[SHORT_LIMBS];                /* length <= SHORT_LIMBS */
+        const uint32_t *there;
+    } limb;
 } integer;
+
+/* Releases scratch memory down to the mark, all but the limbs of these. */
+void integer_keep(struct mark mark, integer *values, size_t count);
+
+/* Lets the limbs of a live in home[0 .. INTEGER_LIMBS), for good. */
+void integer_store(integer *a, uint32_t *home);
+
+/* Counts work; beyond a limit "cannot check", so that every run ends. */
+void integer_count_work(int rows, int columns);
 
 /* Values in and out
  * ----------------- */
 
-void integer_set(integer *out, const integer *a);  /* copies `length` limbs */
-void integer_set_small(integer *out, int64_t a);
+integer integer_from(int64_t a);
 
 /* The token text[0..size) in canonical hexadecimal: `-` in front if negative,
  * lower case, no leading zero, never `-0`.  False for any other token. */
 bool integer_read_hex(integer *out, const char *text, size_t size);
 
 /* -1, 0, 1: sign of a - b. */
-int integer_compare(const integer *a, const integer *b);
+int integer_compare(integer a, integer b);
 
 /* Bits of the magnitude: 2^(bits-1) <= |a| < 2^bits; 0 for 0. */
-long integer_bits(const integer *a);
+long integer_bits(integer a);
 
 /* a, if it lies in [-bound, bound]; else false. */
-bool integer_get_small(int64_t *out, const integer *a, int64_t bound);
+bool integer_get_small(int64_t *out, integer a, int64_t bound);
 
 /* Exact arithmetic
  * ---------------- */
 
-void integer_negate(integer *out, const integer *a);
-void integer_absolute(integer *out, const integer *a);
-void integer_add(integer *out, const integer *a, const integer *b);
-void integer_sub(integer *out, const integer *a, const integer *b);
-void integer_mul(integer *out, const integer *a, const integer *b);
-void integer_shift_left(integer *out, const integer *a, long bits);
+integer integer_negate(integer a);
+integer integer_absolute(integer a);
+integer integer_add(integer a, integer b);
+integer integer_sub(integer a, integer b);
+integer integer_mul(integer a, integer b);
+integer integer_shift_left(integer a, long bits);
+integer integer_min(integer a, integer b);
+integer integer_max(integer a, integer b);
 
 /* The greatest common divisor, >= 0. */
-void integer_gcd(integer *out, const integer *a, const integer *b);
+integer integer_gcd(integer a, integer b);
 
 /* Division
  * --------
  *
- * floor: greatest integer <= a/b, ceil: least integer >= a/b; b is not 0. */
+ * floor: greatest integer <= a/b, ceil: least integer >= a/b; b is not 0.  root:
+ * the greatest integer <= the square root of a >= 0. */
 
-void integer_divide_floor(integer *out, const integer *a, const integer *b);
-void integer_divide_ceil(integer *out, const integer *a, const integer *b);
-void integer_shift_floor(integer *out, const integer *a, long bits);
-void integer_shift_ceil(integer *out, const integer *a, long bits);
+integer integer_divide_floor(integer a, integer b);
+integer integer_divide_ceil(integer a, integer b);
+integer integer_shift_floor(integer a, long bits);
+integer integer_shift_ceil(integer a, long bits);
+integer integer_root(integer a);
 
 #endif

@@ -3,22 +3,30 @@
 
 CHECK_SOURCES = \
   verify/check/answer.h verify/check/answer.c \
+  verify/check/scratch.h verify/check/scratch.c \
   verify/check/integer.h verify/check/integer.c \
   verify/check/rational.h verify/check/rational.c \
   verify/check/grid.h verify/check/grid.c \
   verify/check/trig.h verify/check/trig.c \
-  verify/check/mask.h verify/check/mask.c \
-  verify/check/regular.h verify/check/regular.c \
+  verify/check/sha256.h verify/check/sha256.c \
   verify/check/text.h verify/check/text.c \
   verify/check/formula.h verify/check/formula.c \
+  verify/check/value.h verify/check/value.c \
+  verify/check/evaluate.h verify/check/evaluate.c \
+  verify/check/mask.h verify/check/mask.c \
+  verify/check/symmetry.h verify/check/symmetry.c \
   verify/check/scheme.h verify/check/scheme.c \
-  verify/check/sector.h verify/check/sector.c \
-  verify/check/sha256.h verify/check/sha256.c \
   verify/check/certificate.h verify/check/certificate.c \
+  verify/check/regular.h verify/check/regular.c \
+  verify/check/stability.h verify/check/stability.c \
+  verify/check/valence.h verify/check/valence.c \
+  verify/check/sector.h verify/check/sector.c \
   verify/check/spectrum.h verify/check/spectrum.c \
-  verify/check/window.h verify/check/window.c \
+  verify/check/element.h verify/check/element.c \
+  verify/check/influence.h verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
+  verify/check/check.h verify/check/check.c \
   verify/check/main.c
 
 bin_PROGRAMS += smoothcert-check

@@ -1,67 +1,73 @@
 /* smoothcert-check: verifies certificates of C1 continuity of subdivision
  * schemes.
  *
- * The statement (scheme, valence, claim) comes from the command line, the
- * evidence from the certificate.  check() goes through certificate.md section
- * by section; whatever does not hold ends the program with "rejected" or "cannot
+ * The statement (scheme, valences, claim) comes from the command line, the
+ * evidence from certificates.  check.c goes through certificate.md section by
+ * section; whatever does not hold ends the program with "rejected" or "cannot
  * check" (answer.h), so that to return from it is to have verified everything.
  *
  * The files, in the order in which to read them:
  *
  *     answer          the three answers
+ *     scratch         memory
  *     integer         integers of fixed capacity
  *     rational        exact rationals
  *     grid            section 2, grid intervals
  *     trig            section 2, pi, cos, sin
  *     sha256          the hash of the last record
  *     text            files, canonical text, tokens     (lib/scheme.md)
- *     formula         the value of a formula at k       (lib/scheme.md)
+ *     formula         formulas read                     (lib/scheme.md)
+ *     value           the arithmetic of values          (lib/scheme.md)
+ *     evaluate        formulas evaluated                (lib/scheme.md)
  *     mask            masks and their conditions        (lib/scheme.md)
  *     scheme          scheme files                      (lib/scheme.md)
+ *     symmetry        evident mirror symmetry           (lib/scheme.md)
  *     certificate     section 1, the file
  *     regular         section 4, C1 on the regular complex
+ *     stability       section 4, the constants K        (lib/stability.md)
+ *     valence         section 5, the rules at one valence
  *     sector          section 5, sector nets and blocks
  *     spectrum        section 6, the spectrum
- *     window          section 7, elements and windows
+ *     element         section 7, elements, windows, rings
+ *     influence       section 7, how far rules matter   (lib/ring.md)
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions
- *     main            sections 3, 9 and 10
+ *     check           sections 3 to 9, one after the other
+ *     main            arguments and section 10
  */
 
 #include "answer.h"
-#include "certificate.h"
-#include "characteristic.h"
-#include "decide.h"
-#include "regular.h"
-#include "scheme.h"
-#include "spectrum.h"
-#include "text.h"
+#include "check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SCHEME_BYTES = 65536, MAX_CERTIFICATE_BYTES = 16777216 };
+enum { MAX_SETTINGS = 64, MAX_RANGES = 1000 };
 
 static const char USAGE[] =
-    "Usage: smoothcert-check --scheme FILE --valence K --claim c1 CERTIFICATE\n"
-    "Checks a certificate that the scheme in FILE is C1 at valence K.\n"
+    "Usage: smoothcert-check --scheme FILE [--set NAME=VALUE]... --valence LIST\n"
+    "                        --claim c1 CERTIFICATE|DIRECTORY\n"
+    "Checks a certificate that the scheme in FILE is C1 at a valence, or the\n"
+    "certificates DIRECTORY/valence-K.cert for all K of a list.\n"
     "\n"
-    "      --scheme=FILE      the scheme, in the language of lib/scheme.md\n"
-    "      --valence=K        the valence, 3..4096\n"
-    "      --claim=CLAIM      the claim: c1 (not-c1 is not in version 0)\n"
-    "      --set=NAME=VALUE   a parameter's value (not in version 0)\n"
+    "      --scheme=FILE      the scheme, in the language of smoothcert-scheme(5)\n"
+    "      --set=NAME=VALUE   a parameter's value, in place of that in FILE\n"
+    "      --valence=LIST     numbers and ranges, e.g. 3..7,20\n"
+    "      --claim=CLAIM      the claim: c1 (not-c1 is not in version 1)\n"
     "      --help             print this text and exit\n"
     "      --version          print the version and exit\n"
     "\n"
-    "Exit status: 0 verified, 1 rejected, 2 cannot check (also wrong usage).\n";
+    "Exit status: 0 all verified, 1 rejected, 2 cannot check (also wrong usage).\n";
 
-/* The statement and the evidence
- * ------------------------------ */
+/* Arguments
+ * --------- */
 
 struct arguments {
     const char *scheme, *valence, *claim, *certificate;
-    int k;
+    int settings, ranges;
+    struct setting setting[MAX_SETTINGS];
+    int64_t range[MAX_RANGES][2];
 };
 
 /* The value of the option `name` in arguments[*i], or of --name=value; NULL if
@@ -90,22 +96,60 @@ static void set_once(const char **out, const char *value, const char *what)
     *out = value;
 }
 
-static int read_valence(const char *list)
+/* NAME=VALUE */
+static void add_setting(struct arguments *out, const char *text)
 {
-    int k = 0;
-    size_t length = strlen(list);
+    const char *sign = strchr(text, '=');
+    char *name;
 
-    if (length == 0)
-        cannot_check("--valence needs a number");
-    for (size_t i = 0; i < length; i++)
-        if (list[i] < '0' || list[i] > '9' || (i == 0 && list[i] == '0'))
-            cannot_check("--valence: expected one number; lists and ranges are "
-                         "not in version 0");
-    for (size_t i = 0; i < length && k <= 4096; i++)
-        k = 10 * k + (list[i] - '0');
-    if (k < 3 || k > 4096)
-        cannot_check("--valence: expected a number in 3..4096");
+    if (sign == NULL || sign == text)
+        cannot_check("--set: expected NAME=VALUE");
+    if (out->settings == MAX_SETTINGS)
+        cannot_check("--set: expected at most %d settings", MAX_SETTINGS);
+    name = allocate((size_t)(sign - text) + 1, 1);
+    memcpy(name, text, (size_t)(sign - text));
+    for (int i = 0; i < out->settings; i++)
+        if (strcmp(out->setting[i].name, name) == 0)
+            cannot_check("--set: `%s` is set twice", name);
+    out->setting[out->settings++] = (struct setting) { name, sign + 1, false };
+}
+
+/* A number without leading zeros from 3 to 10^9 at *text, which moves behind it. */
+static int64_t read_valence(const char **text)
+{
+    int64_t k = 0;
+
+    for (; **text >= '0' && **text <= '9' && k <= 1000000000; (*text)++) {
+        if (k == 0 && **text == '0')
+            break;
+        k = 10 * k + (**text - '0');
+    }
+    if (k < 3 || k > 1000000000)
+        cannot_check("--valence: expected numbers in 3..1000000000, such as 3..7,20");
     return k;
+}
+
+static void read_valences(struct arguments *out)
+{
+    const char *text = out->valence;
+
+    for (;;) {
+        int64_t *range = out->range[out->ranges];
+
+        if (out->ranges++ == MAX_RANGES)
+            cannot_check("--valence: expected at most %d ranges", MAX_RANGES);
+        range[0] = range[1] = read_valence(&text);
+        if (strncmp(text, "..", 2) == 0) {
+            text += 2;
+            range[1] = read_valence(&text);
+        }
+        if (range[1] < range[0])
+            cannot_check("--valence: expected ranges such as 3..7");
+        if (*text == '\0')
+            return;
+        if (*text++ != ',')
+            cannot_check("--valence: expected numbers and ranges, such as 3..7,20");
+    }
 }
 
 /* Output that did not arrive is no answer. */
@@ -122,12 +166,30 @@ static noreturn void print_and_exit(const char *text)
     exit(0);
 }
 
+static void read_option(struct arguments *out, char **arguments, int count, int *i)
+{
+    const char *value;
+
+    if (strcmp(arguments[*i], "--help") == 0)
+        print_and_exit(USAGE);
+    else if (strcmp(arguments[*i], "--version") == 0)
+        print_and_exit("smoothcert-check, certificates of versions 0 and 1\n");
+    else if ((value = option_value("--scheme", arguments, count, i)) != NULL)
+        set_once(&out->scheme, value, "--scheme");
+    else if ((value = option_value("--valence", arguments, count, i)) != NULL)
+        set_once(&out->valence, value, "--valence");
+    else if ((value = option_value("--claim", arguments, count, i)) != NULL)
+        set_once(&out->claim, value, "--claim");
+    else if ((value = option_value("--set", arguments, count, i)) != NULL)
+        add_setting(out, value);
+    else
+        cannot_check("unknown option %s (see --help)", arguments[*i]);
+}
+
 static void read_arguments(struct arguments *out, int count, char **arguments)
 {
     bool options_end = false;
-    const char *value;
 
-    memset(out, 0, sizeof *out);
     for (int i = 1; i < count; i++) {
         const char *argument = arguments[i];
 
@@ -135,20 +197,8 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
             set_once(&out->certificate, argument, "the certificate");
         else if (strcmp(argument, "--") == 0)
             options_end = true;
-        else if (strcmp(argument, "--help") == 0)
-            print_and_exit(USAGE);
-        else if (strcmp(argument, "--version") == 0)
-            print_and_exit("smoothcert-check, certificates of version 0\n");
-        else if ((value = option_value("--scheme", arguments, count, &i)) != NULL)
-            set_once(&out->scheme, value, "--scheme");
-        else if ((value = option_value("--valence", arguments, count, &i)) != NULL)
-            set_once(&out->valence, value, "--valence");
-        else if ((value = option_value("--claim", arguments, count, &i)) != NULL)
-            set_once(&out->claim, value, "--claim");
-        else if (option_value("--set", arguments, count, &i) != NULL)
-            cannot_check("--set: parameters are not in version 0");
         else
-            cannot_check("unknown option %s (see --help)", argument);
+            read_option(out, arguments, count, &i);
     }
     if (out->scheme == NULL)
         cannot_check("no scheme is given (see --help)");
@@ -159,133 +209,27 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
     if (out->certificate == NULL)
         cannot_check("no certificate is given (see --help)");
     if (strcmp(out->claim, "not-c1") == 0)
-        cannot_check("--claim: not-c1 is not in version 0");
+        cannot_check("--claim: not-c1 is not in version 1");
     if (strcmp(out->claim, "c1") != 0)
         cannot_check("--claim: expected c1");
-    out->k = read_valence(out->valence);
+    read_valences(out);
 }
 
-/* Section 3: the certificate is about the reader's statement. */
-static void compare_subject(const struct certificate *c, const char *canonical,
-                            size_t size, int k)
+/* The file for valence k: DIRECTORY/valence-K.cert, if there is such a file or if there
+ * are several valences; else what is named itself. */
+static const char *certificate_file(const struct arguments *a, int64_t k)
 {
-    size_t same = 0;
-    int line = c->line_of.scheme + 1;
+    size_t size = strlen(a->certificate) + 64;
+    char *name = allocate(size, 1);
+    FILE *file;
 
-    while (same < size && same < c->scheme_size &&
-           canonical[same] == c->scheme_text[same]) {
-        if (canonical[same] == '\n')
-            line++;
-        same++;
-    }
-    if (same < size || same < c->scheme_size)
-        rejected(c->file, line, "scheme: expected the text of the given scheme");
-    if (!c->claims_c1)
-        rejected(c->file, c->line_of.claim, "claim: expected c1");
-    if (c->valence != k)
-        rejected(c->file, c->line_of.valence, "valence: expected %d", k);
-}
-
-/* Sections 4 to 8
- * --------------- */
-
-/* Section 4; first: a_1 and a_2. */
-static void check_regular(struct derived_masks *masks, const struct scheme *scheme,
-                          const struct certificate *c)
-{
-    static const char *const name[3] = { "a_12", "a_13", "a_23" };
-    int line = c->line_of.contraction;
-
-    if (!regular_derive(masks, &scheme->mask))
-        rejected(c->file, line, "contraction: the mask's symbol is not divisible "
-                 "by the factors that differences need");
-    for (int i = 0; i < 3; i++)
-        if (!regular_contracts(&masks->second[i], c->contraction[i]))
-            rejected(c->file, line, "contraction: power %d of 2 %s has a norm of at "
-                     "least 1", c->contraction[i], name[i]);
-}
-
-/* Sections 5 and 6.  block: that of m = 1. */
-static void check_spectrum(struct eigenpair *pair, const struct block *block,
-                           const struct certificate *c)
-{
-    interval *matrix = block_matrix(block);
-
-    spectrum_prove_eigenpair(pair, block, matrix, c);
-    spectrum_prove_rest(block, matrix, pair, c);
-    free(matrix);
-    for (int m = 0; m <= c->valence / 2; m++) {
-        struct block other;
-
-        if (m == 1)
-            continue;
-        block_prepare(&other, block->scheme, block->mask, c->valence, m, c->grid);
-        matrix = block_matrix(&other);
-        spectrum_prove_rest(&other, matrix, pair, c);
-        free(matrix);
-        block_clear(&other);
-    }
-}
-
-/* Sections 7 and 8 */
-static void check_map(const struct block *block, const struct eigenpair *pair,
-                      const struct derived_masks *masks, const struct certificate *c)
-{
-    struct characteristic *characteristic = allocate(1, sizeof *characteristic);
-    struct mask *q = allocate(2, sizeof *q);
-
-    mask_double(&q[0], &masks->first[0]);
-    mask_double(&q[1], &masks->first[1]);
-    if (!mask_is_nonnegative(&block->scheme->mask) ||
-        !mask_is_nonnegative(&q[0]) || !mask_is_nonnegative(&q[1]))
-        rejected(c->file, c->line_of.regularity, "regularity: version 0 needs "
-                 "non-negative masks for values and derivatives");
-    characteristic_prepare(characteristic, block, pair, &q[0], &q[1]);
-    decide_regularity(characteristic, c);
-    decide_boundary(characteristic, c);
-    characteristic_clear(characteristic);
-    free(characteristic);
-    free(q);
-}
-
-/* Verifies the certificate: returns only if everything is proved. */
-static void check(struct scheme *scheme, interval *eigenvalue,
-                  struct certificate *certificate, const struct arguments *statement)
-{
-    size_t text_size, canonical_size, certificate_size;
-    char *text = text_read_file(statement->scheme, MAX_SCHEME_BYTES, &text_size);
-    char *canonical = text_canonical(statement->scheme, text, text_size,
-                                     &canonical_size);
-    char *bytes = text_read_file(statement->certificate, MAX_CERTIFICATE_BYTES,
-                                 &certificate_size);
-    struct derived_masks *masks = allocate(1, sizeof *masks);
-    struct stencil *mask = allocate(1, sizeof *mask);
-    struct eigenpair *pair = allocate(1, sizeof *pair);
-    struct block block;
-
-    certificate_read_subject(certificate, statement->certificate, bytes,
-                             certificate_size);
-    compare_subject(certificate, canonical, canonical_size, statement->k);
-    scheme_read(scheme, statement->scheme, text, text_size, certificate->valence,
-                certificate->grid);
-    stencil_from_mask(mask, &scheme->mask, certificate->grid);
-    certificate_read_choices(certificate, block_size(stencil_radius(mask)));
-
-    block_prepare(&block, scheme, mask, certificate->valence, 1, certificate->grid);
-    check_regular(masks, scheme, certificate);
-    check_spectrum(pair, &block, certificate);
-    check_map(&block, pair, masks, certificate);
-    interval_set(eigenvalue, &pair->eigenvalue);
-
-    free(pair->unknowns);
-    free(pair);
-    block_clear(&block);
-    free(mask);
-    free(masks);
-    certificate_clear(certificate);
-    free(bytes);
-    free(canonical);
-    free(text);
+    snprintf(name, size, "%s/valence-%lld.cert", a->certificate, (long long)k);
+    file = fopen(name, "rb");
+    if (file != NULL)
+        fclose(file);
+    else if (a->ranges == 1 && a->range[0][0] == a->range[0][1])
+        return a->certificate;
+    return name;
 }
 
 /* The answer
@@ -294,50 +238,47 @@ static void check(struct scheme *scheme, interval *eigenvalue,
 enum { DIGITS = 9, TEN_TO_DIGITS = 1000000000 };
 
 /* floor (or ceiling) of a 2^-g 10^DIGITS, for 0 <= a <= 2^g. */
-static long decimals(const integer *a, bool ceiling, int g)
+static void print_decimal(integer a, bool ceiling, int g)
 {
-    integer scaled;
+    integer scaled = integer_mul(integer_from(TEN_TO_DIGITS), a);
     int64_t value;
 
-    integer_set_small(&scaled, TEN_TO_DIGITS);
-    integer_mul(&scaled, &scaled, a);
-    if (ceiling)
-        integer_shift_ceil(&scaled, &scaled, g);
-    else
-        integer_shift_floor(&scaled, &scaled, g);
-    if (!integer_get_small(&value, &scaled, TEN_TO_DIGITS))
+    scaled = ceiling ? integer_shift_ceil(scaled, g) : integer_shift_floor(scaled, g);
+    if (!integer_get_small(&value, scaled, TEN_TO_DIGITS))
         cannot_check("the checker cannot print L");
-    return (long)value;
-}
-
-static void print_decimal(long value)
-{
-    printf("%ld.%0*ld", value / TEN_TO_DIGITS, DIGITS, value % TEN_TO_DIGITS);
+    printf("%d.%0*d", (int)(value / TEN_TO_DIGITS), DIGITS, (int)(value % TEN_TO_DIGITS));
 }
 
 /* L lies strictly inside of its interval (section 6). */
-static void print_verified(const struct scheme *scheme, const interval *eigenvalue,
-                           int k, int g)
+static void print_verified(const char *scheme, int64_t k, const struct verified *v)
 {
-    printf("verified: %s is C1 at valence %d (", scheme->name, k);
-    print_decimal(decimals(&eigenvalue->lo, false, g));
-    printf(" < L < ");
-    print_decimal(decimals(&eigenvalue->hi, true, g));
+    const char *name = v->real ? "L" : "|L|";
+
+    printf("verified: %s is C1 at valence %lld (", scheme, (long long)k);
+    if (v->plainly_regular) {
+        printf("plainly regular)\n");
+        return;
+    }
+    print_decimal(v->eigenvalue.lo, false, v->g);
+    printf(" < %s < ", name);
+    print_decimal(v->eigenvalue.hi, true, v->g);
     printf(")\n");
-    finish_output();
 }
 
 int main(int count, char **arguments)
 {
-    struct arguments statement;
-    struct scheme *scheme = allocate(1, sizeof *scheme);
-    struct certificate *certificate = allocate(1, sizeof *certificate);
-    interval eigenvalue;
+    struct arguments *a = allocate(1, sizeof *a);
+    struct statement *statement;
+    struct verified v;
 
-    read_arguments(&statement, count, arguments);
-    check(scheme, &eigenvalue, certificate, &statement);
-    print_verified(scheme, &eigenvalue, statement.k, certificate->grid);
-    free(scheme);
-    free(certificate);
+    read_arguments(a, count, arguments);
+    statement = statement_new(a->scheme, a->setting, a->settings);
+    for (int i = 0; i < a->ranges; i++) {
+        for (int64_t k = a->range[i][0]; k <= a->range[i][1]; k++) {
+            v = check_certificate(statement, k, certificate_file(a, k));
+            print_verified(statement_scheme_name(statement), k, &v);
+        }
+    }
+    finish_output();
     return ANSWER_VERIFIED;
 }

@@ -1,5 +1,5 @@
-/* Masks: the conditions of lib/scheme.md on them, and the division of symbols
- * that section 4 of certificate.md asks for.  All exact. */
+/* Masks: the conditions of lib/scheme.md on them, and products and quotients of
+ * symbols.  All exact. */
 
 #include "mask.h"
 
@@ -7,47 +7,64 @@
 
 #include <stdlib.h>
 
-int lattice_distance(int a, int b)
+int lattice_distance(enum mesh mesh, int a, int b)
 {
-    int distance = abs(a);
+    int distance = abs(a) > abs(b) ? abs(a) : abs(b);
 
-    if (abs(b) > distance)
-        distance = abs(b);
-    if (abs(a + b) > distance)
+    if (mesh == TRIANGLE && abs(a + b) > distance)
         distance = abs(a + b);
     return distance;
 }
 
-/* The value at a point, NULL for the 0 outside. */
-static const integer *at(const struct mask *mask, int a, int b)
+void label_rotate(enum mesh mesh, int *a, int *b)
 {
-    if (abs(a) > MASK_RADIUS || abs(b) > MASK_RADIUS)
-        return NULL;
-    return &mask->coefficient[a + MASK_RADIUS][b + MASK_RADIUS];
+    int turned = mesh == DUAL ? -*b - 1 : -*b;
+
+    *b = mesh == TRIANGLE ? *a + *b : *a;
+    *a = turned;
 }
 
-void mask_from_exact(struct mask *out, const struct exact_mask *weights)
+struct mask mask_new(int low_a, int low_b, int side_a, int side_b)
 {
-    integer gcd, factor;
+    struct mask out = { low_a, low_b, side_a, side_b, integer_from(1), NULL };
 
-    integer_set_small(&out->denominator, 1);       /* the least common multiple */
-    for (int i = 0; i < MASK_SIDE; i++) {
-        for (int j = 0; j < MASK_SIDE; j++) {
-            const integer *den = &weights->weight[i][j].den;
+    out.coefficient = allocate((size_t)side_a * (size_t)side_b,
+                               sizeof out.coefficient[0]);
+    return out;
+}
 
-            integer_gcd(&gcd, &out->denominator, den);
-            integer_divide_floor(&factor, den, &gcd);
-            integer_mul(&out->denominator, &out->denominator, &factor);
-        }
+integer *mask_cell(const struct mask *mask, int a, int b)
+{
+    int i = a - mask->low_a, j = b - mask->low_b;
+
+    if (i < 0 || i >= mask->side_a || j < 0 || j >= mask->side_b)
+        return NULL;
+    return &mask->coefficient[i * mask->side_b + j];
+}
+
+static integer at(const struct mask *mask, int a, int b)
+{
+    const integer *cell = mask_cell(mask, a, b);
+
+    return cell != NULL ? *cell : integer_from(0);
+}
+
+void mask_set_weights(struct mask *out, const rational *weight)
+{
+    int count = out->side_a * out->side_b;
+
+    out->denominator = integer_from(1);            /* the least common multiple */
+    for (int i = 0; i < count; i++) {
+        integer gcd = integer_gcd(out->denominator, weight[i].den);
+
+        out->denominator = integer_mul(out->denominator,
+                                       integer_divide_floor(weight[i].den, gcd));
     }
-    for (int i = 0; i < MASK_SIDE; i++) {
-        for (int j = 0; j < MASK_SIDE; j++) {
-            const rational *w = &weights->weight[i][j];
-
-            integer_divide_floor(&factor, &out->denominator, &w->den);
-            integer_mul(&out->coefficient[i][j], &w->num, &factor);
-        }
-    }
+    for (int i = 0; i < count; i++)
+        out->coefficient[i] = integer_mul(weight[i].num,
+            integer_divide_floor(out->denominator, weight[i].den));
+    if (integer_bits(out->denominator) > RATIONAL_BITS)
+        cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
 }
 
 /* Conditions
@@ -55,75 +72,82 @@ void mask_from_exact(struct mask *out, const struct exact_mask *weights)
 
 static bool classes_sum_to_one(const struct mask *mask)
 {
-    for (int odd_a = 0; odd_a < 2; odd_a++) {
-        for (int odd_b = 0; odd_b < 2; odd_b++) {
-            integer sum;
+    integer sum[4] = { integer_from(0), integer_from(0), integer_from(0),
+                       integer_from(0) };
 
-            integer_set_small(&sum, 0);
-            for (int a = -MASK_RADIUS; a <= MASK_RADIUS; a++)
-                for (int b = -MASK_RADIUS; b <= MASK_RADIUS; b++)
-                    if (abs(a) % 2 == odd_a && abs(b) % 2 == odd_b)
-                        integer_add(&sum, &sum, at(mask, a, b));
-            if (integer_compare(&sum, &mask->denominator) != 0)
-                return false;
+    for (int i = 0; i < mask->side_a; i++) {
+        for (int j = 0; j < mask->side_b; j++) {
+            int class = abs(i + mask->low_a) % 2 * 2 + abs(j + mask->low_b) % 2;
+
+            sum[class] = integer_add(sum[class],
+                                     mask->coefficient[i * mask->side_b + j]);
         }
     }
+    for (int class = 0; class < 4; class++)
+        if (integer_compare(sum[class], mask->denominator) != 0)
+            return false;
     return true;
 }
 
-/* Is mask(a,b) the same as at the image of (a,b)?  mirror: (b,a), else
- * (-b, a+b).  Outside of the square the mask is 0. */
-static bool is_invariant(const struct mask *mask, bool mirror)
+/* Has every label of the box the coefficient of its image?  (Then labels outside
+ * of the box have no images with others: the images of the box's labels are as
+ * many as they, and map(map(...)) comes back.) */
+static bool is_rotated(const struct mask *mask, enum mesh mesh)
 {
-    for (int a = -MASK_RADIUS; a <= MASK_RADIUS; a++) {
-        for (int b = -MASK_RADIUS; b <= MASK_RADIUS; b++) {
-            const integer *here = at(mask, a, b);
-            const integer *there = mirror ? at(mask, b, a) : at(mask, -b, a + b);
+    for (int i = 0; i < mask->side_a; i++) {
+        for (int j = 0; j < mask->side_b; j++) {
+            int a = i + mask->low_a, b = j + mask->low_b;
+            integer here = at(mask, a, b);
 
-            if (there == NULL ? here->sign != 0
-                              : integer_compare(here, there) != 0)
+            label_rotate(mesh, &a, &b);
+            if (integer_compare(here, at(mask, a, b)) != 0)
                 return false;
         }
     }
     return true;
 }
 
-const char *mask_fault(const struct mask *mask)
+bool mask_is_mirrored(const struct mask *mask)
+{
+    for (int i = 0; i < mask->side_a; i++)
+        for (int j = 0; j < mask->side_b; j++)
+            if (integer_compare(at(mask, i + mask->low_a, j + mask->low_b),
+                                at(mask, j + mask->low_b, i + mask->low_a)) != 0)
+                return false;
+    return true;
+}
+
+const char *mask_fault(const struct mask *mask, enum mesh mesh)
 {
     if (!classes_sum_to_one(mask))
         return "a mask whose weights sum to 1 in each class modulo 2";
-    if (!is_invariant(mask, false))
-        return "a mask invariant under (i,j) -> (-j, i+j)";
-    if (!is_invariant(mask, true))
-        return "a mask invariant under (i,j) -> (j,i)";
+    if (!is_rotated(mask, mesh))
+        return mesh == TRIANGLE ? "a mask invariant under (i,j) -> (-j, i+j)"
+                                : "a mask invariant under (i,j) -> (-j, i)";
     return NULL;
 }
 
-/* Division
- * --------
+/* Symbols
+ * -------
  *
  * a = q (1 + z^-d) says a(x) = q(x) + q(x+d).  Along a line in direction d that
- * enters the square at x, q is 0 up to x (the hulls of q and q - d lie in that
- * of a), then q(x+d) = a(x) - q(x), and there is no remainder iff it is 0 again
- * where the line leaves the square. */
+ * enters the box at x, q is 0 up to x (the hulls of q and q - d lie in that of a),
+ * then q(x+d) = a(x) - q(x), and there is no remainder iff it is 0 again where the
+ * line leaves the box. */
 bool mask_divide(struct mask *out, const struct mask *a, int da, int db)
 {
-    integer_set(&out->denominator, &a->denominator);
-    for (int i = 0; i < MASK_SIDE; i++)
-        for (int j = 0; j < MASK_SIDE; j++)
-            integer_set_small(&out->coefficient[i][j], 0);
+    *out = mask_new(a->low_a, a->low_b, a->side_a, a->side_b);
+    out->denominator = a->denominator;
+    for (int i = 0; i < a->side_a; i++) {
+        for (int j = 0; j < a->side_b; j++) {
+            int x = i + a->low_a, y = j + a->low_b;
+            integer q = integer_from(0);
 
-    for (int i = 0; i < MASK_SIDE; i++) {
-        for (int j = 0; j < MASK_SIDE; j++) {
-            int x = i - MASK_RADIUS, y = j - MASK_RADIUS;
-            integer q;
-
-            if (at(a, x - da, y - db) != NULL)
+            if (mask_cell(a, x - da, y - db) != NULL)
                 continue;                          /* not the line's first point */
-            integer_set_small(&q, 0);
-            for (; at(a, x, y) != NULL; x += da, y += db) {
-                integer_set(&out->coefficient[x + MASK_RADIUS][y + MASK_RADIUS], &q);
-                integer_sub(&q, at(a, x, y), &q);
+            for (; mask_cell(a, x, y) != NULL; x += da, y += db) {
+                *mask_cell(out, x, y) = q;
+                q = integer_sub(at(a, x, y), q);
             }
             if (q.sign != 0)
                 return false;
@@ -132,65 +156,92 @@ bool mask_divide(struct mask *out, const struct mask *a, int da, int db)
     return true;
 }
 
-void mask_double(struct mask *out, const struct mask *a)
+struct mask mask_multiply(const struct mask *a, const struct mask *b)
 {
-    integer_set(&out->denominator, &a->denominator);
-    for (int i = 0; i < MASK_SIDE; i++)
-        for (int j = 0; j < MASK_SIDE; j++)
-            integer_add(&out->coefficient[i][j], &a->coefficient[i][j],
-                        &a->coefficient[i][j]);
+    struct mask out = mask_new(a->low_a + b->low_a, a->low_b + b->low_b,
+                               a->side_a + b->side_a - 1, a->side_b + b->side_b - 1);
+
+    out.denominator = integer_mul(a->denominator, b->denominator);
+    for (int i = 0; i < a->side_a * a->side_b; i++) {
+        if (a->coefficient[i].sign == 0)
+            continue;
+        for (int j = 0; j < b->side_a * b->side_b; j++) {
+            integer *cell = &out.coefficient[
+                (i / a->side_b + j / b->side_b) * out.side_b +
+                i % a->side_b + j % b->side_b];
+
+            *cell = integer_add(*cell, integer_mul(a->coefficient[i],
+                                                   b->coefficient[j]));
+        }
+    }
+    if (integer_bits(out.denominator) > RATIONAL_BITS)
+        cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
+    return out;
+}
+
+struct mask mask_double(const struct mask *a)
+{
+    struct mask out = mask_new(a->low_a, a->low_b, a->side_a, a->side_b);
+
+    out.denominator = a->denominator;
+    for (int i = 0; i < a->side_a * a->side_b; i++)
+        out.coefficient[i] = integer_add(a->coefficient[i], a->coefficient[i]);
+    return out;
 }
 
 bool mask_is_nonnegative(const struct mask *a)
 {
-    for (int i = 0; i < MASK_SIDE; i++)
-        for (int j = 0; j < MASK_SIDE; j++)
-            if (a->coefficient[i][j].sign < 0)
-                return false;
+    for (int i = 0; i < a->side_a * a->side_b; i++)
+        if (a->coefficient[i].sign < 0)
+            return false;
     return true;
 }
 
 /* Stencils
  * -------- */
 
-void stencil_from_mask(struct stencil *out, const struct mask *mask, int g)
+int stencil_class(const struct stencil *s, int a, int b)
 {
-    out->count = 0;
-    for (int a = -MASK_RADIUS; a <= MASK_RADIUS; a++) {
-        for (int b = -MASK_RADIUS; b <= MASK_RADIUS; b++) {
-            const int f[3] = { a, b, a + b };
-            const integer *coefficient = at(mask, a, b);
-
-            if (coefficient->sign == 0)
-                continue;
-
-            struct stencil_entry *entry = &out->entry[out->count];
-
-            entry->a = a;
-            entry->b = b;
-            grid_from_fraction(&entry->weight, coefficient, &mask->denominator, g);
-            for (int i = 0; i < 3; i++) {
-                if (out->count == 0 || f[i] < out->low[i])
-                    out->low[i] = f[i];
-                if (out->count == 0 || f[i] > out->high[i])
-                    out->high[i] = f[i];
-            }
-            out->count++;
-        }
-    }
-    if (out->count == 0)
-        cannot_check("the checker has an empty mask");
+    return s->dilation == 1 ? 0 : abs(a) % 2 * 2 + abs(b) % 2;
 }
 
-int stencil_radius(const struct stencil *s)
+static void extend_range(struct stencil *out, bool first, int a, int b)
 {
-    int radius = 0;
+    const int f[3] = { a, b, a + b };
 
-    for (int i = 0; i < s->count; i++) {
-        int distance = lattice_distance(s->entry[i].a, s->entry[i].b);
-
-        if (distance > radius)
-            radius = distance;
+    for (int i = 0; i < 3; i++) {
+        if (first || f[i] < out->low[i])
+            out->low[i] = f[i];
+        if (first || f[i] > out->high[i])
+            out->high[i] = f[i];
     }
-    return radius;
+}
+
+struct stencil stencil_make(const struct mask *mask, int dilation, int g)
+{
+    struct stencil out = { .dilation = dilation };
+    int count = 0;
+
+    out.entry = allocate((size_t)mask->side_a * (size_t)mask->side_b,
+                         sizeof out.entry[0]);
+    for (int class = 0; class < 4; class++) {
+        out.first[class] = count;
+        for (int i = 0; i < mask->side_a; i++) {
+            for (int j = 0; j < mask->side_b; j++) {
+                int a = i + mask->low_a, b = j + mask->low_b;
+                integer c = mask->coefficient[i * mask->side_b + j];
+
+                if (c.sign == 0 || stencil_class(&out, a, b) != class)
+                    continue;
+                extend_range(&out, count == 0, a, b);
+                out.entry[count].a = a;
+                out.entry[count].b = b;
+                out.entry[count++].weight = grid_from_fraction(c, mask->denominator, g);
+            }
+        }
+    }
+    out.first[4] = count;
+    if (count == 0)
+        cannot_check("the checker has an empty mask");
+    return out;
 }

@@ -4,58 +4,68 @@
 /* Masks
  * =====
  *
- * A mask is a function on the lattice, or its symbol, the Laurent polynomial
- * sum of mask(x) z^x.  All masks here live in |a|, |b| <= 8.
+ * A mask is a function on labels, or its symbol, the Laurent polynomial
+ * sum of mask(x) z^x.  Labels are those of certificate.md, section 3.
  */
 
 #include "grid.h"
 
-enum { MASK_RADIUS = 8, MASK_SIDE = 2 * MASK_RADIUS + 1 };
+enum mesh { TRIANGLE, QUAD, DUAL };
 
-/* weight[a + 8][b + 8] is the weight of (a,b). */
-struct exact_mask {
-    rational weight[MASK_SIDE][MASK_SIDE];
-};
+/* |(a,b)| of certificate.md, section 7. */
+int lattice_distance(enum mesh mesh, int a, int b);
 
-/* The same with one common denominator > 0: mask(a,b) is
- * coefficient[a + 8][b + 8] / denominator. */
+/* Coefficients times a common denominator > 0, in a box of labels. */
 struct mask {
-    integer coefficient[MASK_SIDE][MASK_SIDE];
+    int low_a, low_b, side_a, side_b;
     integer denominator;
+    integer *coefficient;                          /* row by row: see mask_cell() */
 };
 
-/* |(a,b)| = max(|a|, |b|, |a+b|) */
-int lattice_distance(int a, int b);
+/* The zero mask on a box. */
+struct mask mask_new(int low_a, int low_b, int side_a, int side_b);
 
-void mask_from_exact(struct mask *out, const struct exact_mask *weights);
+/* The coefficient at (a,b); NULL outside of the box. */
+integer *mask_cell(const struct mask *mask, int a, int b);
+
+/* The mask with these weights, in a box of the same form as `out` comes with. */
+void mask_set_weights(struct mask *out, const rational *weight);
 
 /* The first condition of lib/scheme.md on masks that does not hold, in words;
  * NULL if all hold. */
-const char *mask_fault(const struct mask *mask);
+const char *mask_fault(const struct mask *mask, enum mesh mesh);
 
-/* out = a / (1 + z^-d) for d = (da, db); false if there is a remainder. */
+/* Is mask(a,b) = mask(b,a) always? */
+bool mask_is_mirrored(const struct mask *mask);
+
+/* The image of a mask's label under rotation by one sector of the regular mesh. */
+void label_rotate(enum mesh mesh, int *a, int *b);
+
+/* a / (1 + z^-d) for d = (da, db); false if there is a remainder. */
 bool mask_divide(struct mask *out, const struct mask *a, int da, int db);
 
-void mask_double(struct mask *out, const struct mask *a);
+struct mask mask_multiply(const struct mask *a, const struct mask *b);
+struct mask mask_double(const struct mask *a);
 bool mask_is_nonnegative(const struct mask *a);
 
-/* A mask on the grid: the points with weight other than 0, their weights as
- * from_rational() gives them, and for f = a, b, a+b the least and greatest f of
- * the points. */
+/* A mask on the grid: the labels with a weight other than 0, ordered by class
+ * modulo the dilation, their weights as from_rational() gives them, and for f = a,
+ * b, a+b the least and greatest f of the labels. */
 struct stencil_entry {
     int a, b;
     interval weight;
 };
 
 struct stencil {
-    int count;
-    struct stencil_entry entry[MASK_SIDE * MASK_SIDE];
+    int dilation;                                  /* 1 or 2 */
+    int first[5];                                  /* of the classes */
+    struct stencil_entry *entry;
     int low[3], high[3];
 };
 
-void stencil_from_mask(struct stencil *out, const struct mask *mask, int g);
+struct stencil stencil_make(const struct mask *mask, int dilation, int g);
 
-/* h of certificate.md: the largest |point|. */
-int stencil_radius(const struct stencil *s);
+/* The class of a label: those of x and of mask labels x - dilation y agree. */
+int stencil_class(const struct stencil *s, int a, int b);
 
 #endif

@@ -4,97 +4,78 @@
 
 #include "answer.h"
 
-void rational_reduce(rational *out, const integer *num, const integer *den)
+rational rational_reduce(integer num, integer den)
 {
-    integer n, d, gcd;
+    struct mark mark = scratch_mark();
+    integer gcd;
+    rational out;
 
-    if (den->sign == 0)
+    if (den.sign == 0)
         cannot_check("the checker divides by zero");
-    integer_set(&n, num);
-    integer_set(&d, den);
-    if (d.sign < 0) {
-        n.sign = -n.sign;
-        d.sign = 1;
+    if (den.sign < 0) {
+        num = integer_negate(num);
+        den = integer_negate(den);
     }
-    integer_gcd(&gcd, &n, &d);
-    integer_divide_floor(&out->num, &n, &gcd);     /* exact */
-    integer_divide_floor(&out->den, &d, &gcd);     /* exact */
-    if (integer_bits(&out->num) > RATIONAL_BITS ||
-        integer_bits(&out->den) > RATIONAL_BITS)
+    gcd = integer_gcd(num, den);
+    out.num = integer_divide_floor(num, gcd);      /* exact */
+    out.den = integer_divide_floor(den, gcd);      /* exact */
+    if (integer_bits(out.num) > RATIONAL_BITS || integer_bits(out.den) > RATIONAL_BITS)
         cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
+    integer_keep(mark, &out.num, 2);
+    return out;
 }
 
-void rational_set(rational *out, const rational *a)
+rational rational_from(int64_t num, int64_t den)
 {
-    integer_set(&out->num, &a->num);
-    integer_set(&out->den, &a->den);
+    return rational_reduce(integer_from(num), integer_from(den));
 }
 
-void rational_set_small(rational *out, int64_t num, int64_t den)
+rational rational_negate(rational a)
 {
-    integer n, d;
-
-    integer_set_small(&n, num);
-    integer_set_small(&d, den);
-    rational_reduce(out, &n, &d);
+    a.num = integer_negate(a.num);
+    return a;
 }
 
-void rational_negate(rational *out, const rational *a)
+rational rational_add(rational a, rational b)
 {
-    rational_set(out, a);
-    out->num.sign = -out->num.sign;
+    return rational_reduce(integer_add(integer_mul(a.num, b.den),
+                                       integer_mul(b.num, a.den)),
+                           integer_mul(a.den, b.den));
 }
 
-void rational_add(rational *out, const rational *a, const rational *b)
+rational rational_sub(rational a, rational b)
 {
-    integer left, right, den;
-
-    integer_mul(&left, &a->num, &b->den);
-    integer_mul(&right, &b->num, &a->den);
-    integer_add(&left, &left, &right);
-    integer_mul(&den, &a->den, &b->den);
-    rational_reduce(out, &left, &den);
+    return rational_add(a, rational_negate(b));
 }
 
-void rational_sub(rational *out, const rational *a, const rational *b)
+rational rational_mul(rational a, rational b)
 {
-    rational minus_b;
-
-    rational_negate(&minus_b, b);
-    rational_add(out, a, &minus_b);
+    return rational_reduce(integer_mul(a.num, b.num), integer_mul(a.den, b.den));
 }
 
-void rational_mul(rational *out, const rational *a, const rational *b)
+rational rational_divide(rational a, rational b)
 {
-    integer num, den;
-
-    integer_mul(&num, &a->num, &b->num);
-    integer_mul(&den, &a->den, &b->den);
-    rational_reduce(out, &num, &den);
+    return rational_reduce(integer_mul(a.num, b.den), integer_mul(a.den, b.num));
 }
 
-void rational_divide(rational *out, const rational *a, const rational *b)
+rational rational_floor(rational a)
 {
-    integer num, den;
+    rational out = { integer_divide_floor(a.num, a.den), integer_from(1) };
 
-    integer_mul(&num, &a->num, &b->den);
-    integer_mul(&den, &a->den, &b->num);
-    rational_reduce(out, &num, &den);
+    return out;
 }
 
-int rational_compare(const rational *a, const rational *b)
+int rational_compare(rational a, rational b)
 {
-    integer left, right;
-
-    integer_mul(&left, &a->num, &b->den);
-    integer_mul(&right, &b->num, &a->den);
-    return integer_compare(&left, &right);
+    return integer_compare(integer_mul(a.num, b.den), integer_mul(b.num, a.den));
 }
 
-bool rational_equals(const rational *a, int64_t num, int64_t den)
+bool rational_equals(rational a, int64_t num, int64_t den)
 {
-    rational b;
+    return rational_compare(a, rational_from(num, den)) == 0;
+}
 
-    rational_set_small(&b, num, den);
-    return rational_compare(a, &b) == 0;
+bool rational_is_whole(rational a)
+{
+    return integer_compare(a.den, integer_from(1)) == 0;
 }

@@ -25,134 +25,131 @@
 
 #include "answer.h"
 
-#include <stdlib.h>
+enum { MAX_N = 10 };
 
-enum { MAX_N = 10, MAX_ROW_SIDE = 2 * MASK_RADIUS + 2 };
+static const int direction[3][2] = { { 1, 0 }, { 0, 1 }, { 1, -1 } };
 
-bool regular_derive(struct derived_masks *out, const struct mask *mask)
-{
-    return mask_divide(&out->first[0], mask, 1, 0) &&
-           mask_divide(&out->first[1], mask, 0, 1) &&
-           mask_divide(&out->second[0], &out->first[0], 0, 1) &&
-           mask_divide(&out->second[1], &out->first[0], 1, -1) &&
-           mask_divide(&out->second[2], &out->first[1], 1, -1);
-}
-
-/* The points of s with their weights, times the denominator. */
-struct weights {
-    int count;
-    int a[MASK_SIDE * MASK_SIDE], b[MASK_SIDE * MASK_SIDE];
-    integer weight[MASK_SIDE * MASK_SIDE];
-    int low, side;                                 /* rows: low, low + 1, ... */
+/* The pairs (d,d'), counted from 0: of triangles, of quads. */
+static const int pair[2][3][2] = {
+    { { 0, 1 }, { 0, 2 }, { 1, 2 } },
+    { { 0, 0 }, { 0, 1 }, { 1, 1 } }
 };
 
-static void list_weights(struct weights *out, const struct mask *s)
+const char *regular_pair_name(enum mesh mesh, int i)
 {
-    int least = 0, greatest = 0;
+    static const char *const name[2][3] = { { "a_12", "a_13", "a_23" },
+                                            { "a_11", "a_12", "a_22" } };
 
-    out->count = 0;
-    for (int a = -MASK_RADIUS; a <= MASK_RADIUS; a++) {
-        for (int b = -MASK_RADIUS; b <= MASK_RADIUS; b++) {
-            const integer *w = &s->coefficient[a + MASK_RADIUS][b + MASK_RADIUS];
-
-            if (w->sign == 0)
-                continue;
-            out->a[out->count] = a;
-            out->b[out->count] = b;
-            integer_set(&out->weight[out->count], w);
-            out->count++;
-            least = a < least ? a : least;
-            least = b < least ? b : least;
-            greatest = a > greatest ? a : greatest;
-            greatest = b > greatest ? b : greatest;
-        }
-    }
-    out->low = -greatest;
-    out->side = 1 - least + greatest + 1;
+    return name[mesh == TRIANGLE ? 0 : 1][i];
 }
 
-struct row {
-    integer entry[MAX_ROW_SIDE][MAX_ROW_SIDE];     /* times denominator^steps */
-};
-
-static void clear_row(struct row *out, const struct weights *s)
+bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mesh mesh)
 {
-    for (int i = 0; i < s->side; i++)
-        for (int j = 0; j < s->side; j++)
-            integer_set_small(&out->entry[i][j], 0);
-}
+    for (int i = 0; i < 2; i++)
+        if (!mask_divide(&out->first[i], mask, direction[i][0], direction[i][1]))
+            return false;
+    for (int i = 0; i < 3; i++) {
+        const int *p = pair[mesh == TRIANGLE ? 0 : 1][i];
 
-/* new(y) += old s(x - 2y) for all y, where x = (a,b): for all points p of s for
- * which y = (x - p)/2 is a lattice point. */
-static void spread(struct row *new, const integer *old, int a, int b,
-                   const struct weights *s)
-{
-    integer product;
-
-    for (int i = 0; i < s->count; i++) {
-        int twice_a = a - s->a[i], twice_b = b - s->b[i];
-
-        if (twice_a % 2 != 0 || twice_b % 2 != 0)
-            continue;
-
-        integer *entry = &new->entry[twice_a / 2 - s->low][twice_b / 2 - s->low];
-
-        integer_mul(&product, old, &s->weight[i]);
-        integer_add(entry, entry, &product);
-    }
-}
-
-/* Are the norms of all rows that come from row[0] by `left` steps < bound?
- * (row[1], row[2] ... are work space.) */
-static bool rows_are_small(struct row *row, int left, const struct weights *s,
-                           const integer *bound)
-{
-    if (left == 0) {
-        integer sum, magnitude;
-
-        integer_set_small(&sum, 0);
-        for (int i = 0; i < s->side; i++) {
-            for (int j = 0; j < s->side; j++) {
-                integer_absolute(&magnitude, &row->entry[i][j]);
-                integer_add(&sum, &sum, &magnitude);
-            }
-        }
-        return integer_compare(&sum, bound) < 0;
-    }
-    for (int e = 0; e < 4; e++) {
-        clear_row(row + 1, s);
-        for (int i = 0; i < s->side; i++)
-            for (int j = 0; j < s->side; j++)
-                if (row->entry[i][j].sign != 0)
-                    spread(row + 1, &row->entry[i][j], i + s->low + e % 2,
-                           j + s->low + e / 2, s);
-        if (!rows_are_small(row + 1, left - 1, s, bound))
+        if (!mask_divide(&out->second[i], &out->first[p[0]], direction[p[1]][0],
+                         direction[p[1]][1]))
             return false;
     }
     return true;
 }
 
+/* The points of s with their weights, times the denominator. */
+struct weights {
+    int count;
+    int *a, *b;
+    integer *weight;
+    int low, side;                                 /* rows: low, low + 1, ... */
+};
+
+static struct weights list_weights(const struct mask *s)
+{
+    size_t cells = (size_t)s->side_a * (size_t)s->side_b;
+    struct weights out = { .a = allocate(cells, sizeof out.a[0]),
+                           .b = allocate(cells, sizeof out.b[0]),
+                           .weight = allocate(cells, sizeof out.weight[0]) };
+    int least = 0, greatest = 0;
+
+    for (size_t i = 0; i < cells; i++) {
+        int a = (int)i / s->side_b + s->low_a, b = (int)i % s->side_b + s->low_b;
+
+        if (s->coefficient[i].sign == 0)
+            continue;
+        out.a[out.count] = a;
+        out.b[out.count] = b;
+        out.weight[out.count++] = s->coefficient[i];
+        least = a < least ? a : least;
+        least = b < least ? b : least;
+        greatest = a > greatest ? a : greatest;
+        greatest = b > greatest ? b : greatest;
+    }
+    out.low = -greatest;
+    out.side = 1 - least + greatest + 1;
+    return out;
+}
+
+/* new(y) += old s(x - 2y) for all y, where x = (a,b): for all points p of s for
+ * which y = (x - p)/2 is a lattice point. */
+static void spread(integer *new, integer old, int a, int b, const struct weights *s)
+{
+    for (int i = 0; i < s->count; i++) {
+        int twice_a = a - s->a[i], twice_b = b - s->b[i];
+        integer *entry;
+
+        if (twice_a % 2 != 0 || twice_b % 2 != 0)
+            continue;
+        entry = &new[(twice_a / 2 - s->low) * s->side + twice_b / 2 - s->low];
+        *entry = integer_add(*entry, integer_mul(old, s->weight[i]));
+    }
+}
+
+static bool row_is_small(const integer *row, const struct weights *s, integer bound)
+{
+    integer sum = integer_from(0);
+
+    for (int i = 0; i < s->side * s->side; i++)
+        sum = integer_add(sum, integer_absolute(row[i]));
+    return integer_compare(sum, bound) < 0;
+}
+
+/* Are the norms of all rows that come from this one by `left` steps < bound?
+ * Rows are times denominator^steps. */
+static bool rows_are_small(const integer *row, int left, const struct weights *s,
+                           integer bound)
+{
+    struct mark mark = scratch_mark();
+    bool small = true;
+
+    if (left == 0)
+        return row_is_small(row, s, bound);
+    for (int e = 0; e < 4 && small; e++) {
+        integer *new = allocate((size_t)s->side * (size_t)s->side, sizeof new[0]);
+
+        for (int i = 0; i < s->side * s->side; i++)
+            if (row[i].sign != 0)
+                spread(new, row[i], i / s->side + s->low + e % 2,
+                       i % s->side + s->low + e / 2, s);
+        small = rows_are_small(new, left - 1, s, bound);
+        scratch_release(mark);
+    }
+    return small;
+}
+
 bool regular_contracts(const struct mask *second, int n)
 {
-    struct row *row = allocate((size_t)MAX_N + 1, sizeof *row);
-    struct mask *doubled = allocate(1, sizeof *doubled);
-    struct weights *s = allocate(1, sizeof *s);
-    integer bound;
-
-    bool small;
+    struct mask doubled = mask_double(second);
+    struct weights s = list_weights(&doubled);
+    integer *row = allocate((size_t)s.side * (size_t)s.side, sizeof row[0]);
+    integer bound = integer_from(1);
 
     if (n < 1 || n > MAX_N)
         cannot_check("the checker forms no powers beyond %d", MAX_N);
-    mask_double(doubled, second);
-    list_weights(s, doubled);
-    integer_set_small(&bound, 1);
     for (int i = 0; i < n; i++)
-        integer_mul(&bound, &bound, &doubled->denominator);
-    clear_row(row, s);
-    integer_set_small(&row->entry[-s->low][-s->low], 1);
-    small = rows_are_small(row, n, s, &bound);
-    free(row);
-    free(doubled);
-    free(s);
-    return small;
+        bound = integer_mul(bound, doubled.denominator);
+    row[-s.low * s.side - s.low] = integer_from(1);
+    return rows_are_small(row, n, &s, bound);
 }

@@ -8,11 +8,14 @@
 /* The masks that the section derives from the scheme's mask. */
 struct derived_masks {
     struct mask first[2];                          /* a_1, a_2 */
-    struct mask second[3];                         /* a_12, a_13, a_23 */
+    struct mask second[3];                         /* a_dd' */
 };
 
 /* False if a division leaves a remainder. */
-bool regular_derive(struct derived_masks *out, const struct mask *mask);
+bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mesh mesh);
+
+/* The names of the pairs (d,d'), as in a_12. */
+const char *regular_pair_name(enum mesh mesh, int i);
 
 /* Whether the norm of s^N, s = 2 second, is < 1. */
 bool regular_contracts(const struct mask *second, int n);

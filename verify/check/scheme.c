@@ -3,12 +3,44 @@
 #include "scheme.h"
 
 #include "answer.h"
-#include "formula.h"
-#include "text.h"
+#include "symmetry.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-enum { MAX_NAME = 64 };
+enum { MAX_NAME = 64, MASK_RADIUS = 8, MASK_SIDE = 2 * MASK_RADIUS + 1,
+       MAX_RULE_RING = 16, EXACT_GRID = 64 };
+
+struct reader {
+    struct scheme *scheme;
+    struct statements s;
+    struct setting *settings;
+    int setting_count;
+};
+
+/* A statement of the word `first` and something behind it. */
+static struct cursor next_statement(struct reader *r, const char *first,
+                                    const char *expected)
+{
+    struct cursor c;
+
+    statements_next(&c, &r->s, expected);
+    if (!cursor_accept_word(&c, first))
+        cursor_error(&c, expected);
+    return c;
+}
+
+/* Is the next statement of this word?  Then nothing is read. */
+static bool next_is(struct reader *r, const char *word)
+{
+    struct statements ahead = r->s;
+    struct cursor c;
+
+    return statements_more(&c, &ahead) && cursor_accept_word(&c, word);
+}
+
+/* The header
+ * ---------- */
 
 static void read_name(char *out, struct cursor *c)
 {
@@ -17,214 +49,680 @@ static void read_name(char *out, struct cursor *c)
     cursor_skip_blanks(c);
     if (c->at == c->end || *c->at < 'a' || *c->at > 'z')
         cursor_error(c, "expected a name that begins with a lower-case letter");
-    while (c->at < c->end && ((*c->at >= 'a' && *c->at <= 'z') ||
-                              (*c->at >= '0' && *c->at <= '9') || *c->at == '-')) {
+    for (; c->at < c->end && ((*c->at >= 'a' && *c->at <= 'z') ||
+                              (*c->at >= '0' && *c->at <= '9') || *c->at == '-');
+         c->at++) {
         if (length == MAX_NAME)
             cursor_error(c, "expected a name of at most 64 characters");
         out[length++] = *c->at;
-        c->at++;
     }
     out[length] = '\0';
 }
 
-/* A statement of the word `first` and something behind it. */
-static void next_statement(struct cursor *c, struct statements *s,
-                           const char *first, const char *expected)
+static void read_header(struct reader *r)
 {
-    statements_next(c, s, expected);
-    if (!cursor_accept_word(c, first))
-        cursor_error(c, expected);
-}
+    struct scheme *out = r->scheme;
+    struct cursor c = next_statement(r, "scheme", "expected `scheme` and a name");
+    struct cursor place;
 
-static void read_header(struct scheme *out, struct statements *s)
-{
-    struct cursor c;
-
-    next_statement(&c, s, "scheme", "expected `scheme` and a name");
     read_name(out->name, &c);
     cursor_expect_end(&c);
 
-    next_statement(&c, s, "mesh", "expected `mesh triangle`");
-    if (!cursor_accept_word(&c, "triangle"))
-        cursor_error(&c, "expected `triangle`, the only mesh of version 0");
+    c = place = next_statement(r, "mesh", "expected `mesh` and its kind");
+    if (cursor_accept_word(&c, "triangle")) {
+        out->mesh = TRIANGLE;
+    } else if (cursor_accept_word(&c, "quad")) {
+        out->mesh = QUAD;
+        if (c.end - c.at >= 5 && memcmp(c.at, "-dual", 5) == 0) {
+            out->mesh = DUAL;
+            c.at += 5;
+        }
+        beyond_version_0(&out->language, &place,
+                         "expected `triangle`, the only mesh of version 0");
+    } else {
+        cursor_error(&c, "expected `triangle`, `quad` or `quad-dual`");
+    }
     cursor_expect_end(&c);
 
-    next_statement(&c, s, "dilation", "expected `dilation 2`");
+    c = next_statement(r, "dilation", "expected `dilation 2`");
     if (!cursor_accept(&c, '2'))
-        cursor_error(&c, "expected `2`, the only dilation of version 0");
+        cursor_error(&c, "expected `2`, the only dilation");
     cursor_expect_end(&c);
 
-    next_statement(&c, s, "vertices", "expected `vertices interior`");
+    c = next_statement(r, "vertices", "expected `vertices interior`");
     if (!cursor_accept_word(&c, "interior"))
-        cursor_error(&c, "expected `interior`, the only vertices of version 0");
+        cursor_error(&c, "expected `interior`");
     cursor_expect_end(&c);
+}
+
+/* Definitions
+ * ----------- */
+
+/* A formula that must be rational. */
+static rational read_rational(struct cursor *c, struct language *l)
+{
+    struct cursor place = *c;
+    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    struct value v = evaluate(formula_read(c, l, 0), &e);
+
+    value_require(v, l, NULL, 0);
+    if (v.kind != RATIONAL)
+        cursor_error(&place, "expected a value that is exactly rational");
+    return v.q;
+}
+
+/* constant = formula | "[" formula "," formula "]" */
+static void read_constant(struct definition *out, struct cursor *c, struct language *l)
+{
+    if (!cursor_accept(c, '[')) {
+        out->low = out->high = read_rational(c, l);
+    } else {
+        out->low = read_rational(c, l);
+        if (!cursor_accept(c, ','))
+            cursor_error(c, "expected `,`");
+        out->high = read_rational(c, l);
+        if (!cursor_accept(c, ']'))
+            cursor_error(c, "expected `]`");
+        if (rational_compare(out->low, out->high) > 0)
+            cursor_error(c, "the lower end of this interval is above the upper one");
+    }
+    cursor_expect_end(c);
+}
+
+/* The value that the reader has set, if any, else what is at c. */
+static struct cursor constant_at(struct reader *r, const struct cursor *c,
+                                 const char *name)
+{
+    for (int i = 0; i < r->setting_count; i++) {
+        const char *value = r->settings[i].value;
+        struct cursor set = { "--set", 0, value, value, value + strlen(value) };
+
+        if (strcmp(r->settings[i].name, name) != 0)
+            continue;
+        r->settings[i].used = true;
+        return set;
+    }
+    return *c;
+}
+
+static void read_definition(struct reader *r, bool parameter)
+{
+    struct language *l = &r->scheme->language;
+    struct definition *d = &l->definition[l->count];
+    struct cursor c = next_statement(r, parameter ? "parameter" : "let", "");
+    struct cursor place = c;
+
+    c.at = c.begin;
+    beyond_version_0(l, &c, "expected `mask` or `mask symmetric`");
+    c = place;
+    if (l->count == MAX_DEFINITIONS)
+        cursor_error(&c, "expected at most 64 parameters and abbreviations");
+    if (!cursor_read_word(d->name, MAX_WORD, &c) || word_is_reserved(d->name))
+        cursor_error(&place, "expected a new name");
+    for (int i = 0; i < l->count; i++)
+        if (strcmp(d->name, l->definition[i].name) == 0)
+            cursor_error(&place, "expected a name that is not defined yet");
+    if (!cursor_accept(&c, '='))
+        cursor_error(&c, "expected `=`");
+    if (parameter) {
+        c = constant_at(r, &c, d->name);
+        read_constant(d, &c, l);
+    } else {
+        d->formula = formula_read(&c, l, MEANS_K | MEANS_M | MEANS_J);
+        cursor_expect_end(&c);
+    }
+    l->count++;
+}
+
+static void read_definitions(struct reader *r)
+{
+    for (;;) {
+        if (next_is(r, "parameter"))
+            read_definition(r, true);
+        else if (next_is(r, "let"))
+            read_definition(r, false);
+        else
+            break;
+    }
+    for (int i = 0; i < r->setting_count; i++)
+        if (!r->settings[i].used)
+            cannot_check("--set: the scheme has no parameter `%s`",
+                         r->settings[i].name);
+}
+
+/* Points
+ * ------ */
+
+/* A coordinate as a label: `shift` is -1 in masks, where labels are differences,
+ * and 1 in rules.  The half n/2 is the label (n + shift)/2. */
+static int read_coordinate(struct cursor *c, enum mesh mesh, int shift)
+{
+    struct cursor place = *c;
+    int value;
+
+    cursor_skip_blanks(c);
+    value = cursor_read_whole(c, 2);
+    if (mesh != DUAL)
+        return value;
+    if (value % 2 == 0 || c->end - c->at < 2 || memcmp(c->at, "/2", 2) != 0)
+        cursor_error(&place, "expected halves such as 1/2 or -3/2");
+    c->at += 2;
+    return (value + shift) / 2;
+}
+
+static void read_point(int *a, int *b, struct cursor *c, enum mesh mesh, int shift)
+{
+    if (!cursor_accept(c, '('))
+        cursor_error(c, "expected a point, like (1,0)");
+    *a = read_coordinate(c, mesh, shift);
+    if (!cursor_accept(c, ','))
+        cursor_error(c, "expected `,`");
+    *b = read_coordinate(c, mesh, shift);
+    if (!cursor_accept(c, ')'))
+        cursor_error(c, "expected `)`");
+}
+
+int label_ring(enum mesh mesh, int a, int b)
+{
+    return mesh == TRIANGLE ? a + b : a > b ? a : b;
+}
+
+static void read_sector_point(int *a, int *b, struct cursor *c, enum mesh mesh)
+{
+    struct cursor place = *c;
+
+    read_point(a, b, c, mesh, 1);
+    if (*a < 1 || *b < (mesh == DUAL ? 1 : 0))
+        cursor_error(&place, "expected a point of the sector");
+    if (label_ring(mesh, *a, *b) > MAX_RULE_RING)
+        cursor_error(&place, "expected a point at most 16 rings out");
 }
 
 /* The mask
  * -------- */
 
-/* The images of (a,b) under (i,j) -> (-j, i+j) and (i,j) -> (j,i): the six
- * rotations of it, and of its mirror image. */
-static void list_images(int images[12][2], int a, int b)
-{
-    for (int i = 0; i < 12; i++) {
-        int turned_a = -b, turned_b = a + b;
+struct mask_reader {
+    struct mask mask;
+    rational weight[MASK_SIDE * MASK_SIDE];
+    bool named[MASK_SIDE * MASK_SIDE];
+    enum mesh mesh;
+};
 
-        images[i][0] = i < 6 ? a : b;
-        images[i][1] = i < 6 ? b : a;
-        a = turned_a;
-        b = turned_b;
-    }
+static int cell_number(const struct mask_reader *m, int a, int b)
+{
+    return (int)(mask_cell(&m->mask, a, b) - m->mask.coefficient);
 }
 
-static void name_point(bool named[MASK_SIDE][MASK_SIDE], struct exact_mask *mask,
-                       int a, int b, bool symmetric, const rational *weight,
+/* Gives the label its weight; with `symmetric` all its images, too: the rotations
+ * of it, and of its mirror image. */
+static void name_point(struct mask_reader *m, int a, int b, bool symmetric, rational w,
                        const struct cursor *place)
 {
-    int images[12][2];
-    int count = symmetric ? 12 : 1;
+    int turns = m->mesh == TRIANGLE ? 6 : 4;
+    int images = symmetric ? 2 * turns : 1;
+    int cell[12];
 
-    list_images(images, a, b);
-    for (int i = 0; i < count; i++) {
-        int row = images[i][0] + MASK_RADIUS;
-        int column = images[i][1] + MASK_RADIUS;
-
-        if (named[row][column])
+    for (int i = 0; i < images; i++) {
+        cell[i] = i < turns ? cell_number(m, a, b) : cell_number(m, b, a);
+        if (m->named[cell[i]])
             cursor_error(place, "expected a point that has no weight yet");
+        label_rotate(m->mesh, &a, &b);
     }
-    for (int i = 0; i < count; i++) {
-        int row = images[i][0] + MASK_RADIUS;
-        int column = images[i][1] + MASK_RADIUS;
-
-        named[row][column] = true;
-        rational_set(&mask->weight[row][column], weight);
+    for (int i = 0; i < images; i++) {
+        m->named[cell[i]] = true;
+        m->weight[cell[i]] = w;
     }
 }
 
-static void read_mask(struct scheme *out, struct statements *s, int g)
+static void read_mask_entry(struct mask_reader *m, struct cursor *c, bool symmetric,
+                            struct language *l)
 {
-    bool named[MASK_SIDE][MASK_SIDE] = { { false } };
-    struct exact_mask *exact = allocate(1, sizeof *exact);
-    struct cursor c;
-    bool symmetric;
-
-    for (int i = 0; i < MASK_SIDE; i++)
-        for (int j = 0; j < MASK_SIDE; j++)
-            rational_set_small(&exact->weight[i][j], 0, 1);
-
-    next_statement(&c, s, "mask", "expected `mask` or `mask symmetric`");
-    symmetric = cursor_accept_word(&c, "symmetric");
-    cursor_expect_end(&c);
-
-    int first_line = c.line;
-
-    for (;;) {
-        struct cursor place;
-        struct value weight;
-        int a, b;
-
-        statements_next(&c, s, "expected a point and its weight, or `end`");
-        place = c;
-        if (cursor_accept_word(&c, "end"))
-            break;
-        cursor_read_point(&a, &b, &c);
-        if (lattice_distance(a, b) > MASK_RADIUS)
-            cursor_error(&place, "expected a point at a distance of at most 8");
-        formula_evaluate(&weight, &c, 0, g);
-        cursor_expect_end(&c);
-        if (weight.kind != RATIONAL)
-            cursor_error(&place, "expected a weight that is exactly rational");
-        name_point(named, exact, a, b, symmetric, &weight.q, &place);
-    }
-    cursor_expect_end(&c);
-
-    mask_from_exact(&out->mask, exact);
-    free(exact);
-
-    const char *fault = mask_fault(&out->mask);
-
-    if (fault != NULL)
-        cannot_check_at(s->file, first_line, 0, "expected %s", fault);
-}
-
-/* The rule
- * -------- */
-
-/* weight = formula | "rest"; returns whether it is "rest". */
-static bool read_weight(struct value *out, struct cursor *c, int k, int g)
-{
-    bool rest = cursor_accept_word(c, "rest");
-
-    if (!rest)
-        formula_evaluate(out, c, k, g);
-    cursor_expect_end(c);
-    return rest;
-}
-
-/* out = w and other = 1 - w on the grid: two exact rationals, or enclosures. */
-static void set_weights(interval *out, interval *other, const struct value *w, int g)
-{
-    interval one;
-
-    if (w->kind == RATIONAL) {
-        rational q;
-
-        rational_set_small(&q, 1, 1);
-        rational_sub(&q, &q, &w->q);
-        grid_from_rational(out, &w->q, g);
-        grid_from_rational(other, &q, g);
-        return;
-    }
-    value_enclose(out, w, g);
-    grid_set_small(&one, 1, g);
-    interval_sub(other, &one, out);
-}
-
-static void read_rule(struct scheme *out, struct statements *s, int k, int g)
-{
-    struct cursor c;
-    struct value centre, all;
+    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    struct cursor place = *c;
+    struct value v;
     int a, b;
 
-    next_statement(&c, s, "rule", "expected `rule centre`");
-    if (!cursor_accept_word(&c, "centre"))
-        cursor_error(&c, "expected `centre`, the only rule of version 0");
-    cursor_expect_end(&c);
-
-    next_statement(&c, s, "centre", "expected `centre` and its weight");
-
-    bool centre_is_rest = read_weight(&centre, &c, k, g);
-
-    next_statement(&c, s, "all", "expected `all (1,0)` and its total weight");
-    cursor_skip_blanks(&c);
-
-    struct cursor place = c;
-
-    cursor_read_point(&a, &b, &c);
-    if (a != 1 || b != 0)
-        cursor_error(&place, "expected (1,0), the only point of version 0");
-    place = c;
-
-    bool all_is_rest = read_weight(&all, &c, k, g);
-
-    if (centre_is_rest == all_is_rest)
-        cursor_error(&place, "expected `rest` as exactly one of the two weights");
-    if (centre_is_rest)
-        set_weights(&out->all, &out->centre, &all, g);
-    else
-        set_weights(&out->centre, &out->all, &centre, g);
-
-    next_statement(&c, s, "end", "expected `end`");
-    cursor_expect_end(&c);
+    read_point(&a, &b, c, m->mesh, -1);
+    if (lattice_distance(m->mesh, a, b) > MASK_RADIUS || mask_cell(&m->mask, a, b) == NULL)
+        cursor_error(&place, "expected a point at a distance of at most 8");
+    v = evaluate(formula_read(c, l, 0), &e);
+    cursor_expect_end(c);
+    value_require(v, l, NULL, 0);
+    if (v.kind != RATIONAL)
+        cursor_error(&place, "expected a weight that is exactly rational");
+    name_point(m, a, b, symmetric, v.q, &place);
 }
 
-void scheme_read(struct scheme *out, const char *file, const char *text,
-                 size_t size, int k, int g)
+static struct mask read_mask(struct reader *r)
 {
-    struct statements s = { file, 0, text, text + size };
+    struct mask_reader *m = allocate(1, sizeof *m);
+    struct language *l = &r->scheme->language;
+    struct cursor c = next_statement(r, "mask", "expected `mask` or `mask symmetric`");
+    bool symmetric = cursor_accept_word(&c, "symmetric");
+    struct cursor first = c;
+    const char *fault;
 
-    read_header(out, &s);
-    read_mask(out, &s, g);
-    read_rule(out, &s, k, g);
-    statements_end(&s);
+    cursor_expect_end(&c);
+    m->mesh = r->scheme->mesh;
+    m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE, MASK_SIDE);
+    if (m->mesh == DUAL)                           /* -15/2 .. 15/2: -8 .. 7 */
+        m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE - 1, MASK_SIDE - 1);
+    for (int i = 0; i < MASK_SIDE * MASK_SIDE; i++)
+        m->weight[i] = rational_from(0, 1);
+    for (;;) {
+        statements_next(&c, &r->s, "expected a point and its weight, or `end`");
+        if (cursor_accept_word(&c, "end"))
+            break;
+        read_mask_entry(m, &c, symmetric, l);
+    }
+    cursor_expect_end(&c);
+
+    mask_set_weights(&m->mask, m->weight);
+    fault = mask_fault(&m->mask, m->mesh);
+    if (fault != NULL)
+        cannot_check_at(r->s.file, first.line, 0, "expected %s", fault);
+    first.at = first.begin;
+    if (!mask_is_mirrored(&m->mask))
+        beyond_version_0(l, &first, "expected a mask invariant under (i,j) -> (j,i)");
+    return m->mask;
+}
+
+/* Rules
+ * ----- */
+
+/* The kind of a source that begins with a point, and what is behind `@`. */
+static void read_point_source(struct source *out, struct cursor *c, enum mesh mesh)
+{
+    read_sector_point(&out->a, &out->b, c, mesh);
+    if (cursor_accept_word(c, "spectrum")) {
+        out->kind = SOURCE_SPECTRUM;
+    } else if (!cursor_accept(c, '@')) {
+        out->kind = SOURCE_ONE;
+    } else if (cursor_accept_word(c, "j")) {
+        out->kind = SOURCE_EACH;
+    } else {
+        out->kind = SOURCE_ONE;
+        cursor_skip_blanks(c);
+        out->sectors = cursor_read_whole(c, 3);
+    }
+}
+
+/* rule->rest: -1 as long as there is none.  Returns the place of the weight. */
+static struct cursor read_source(struct rule *rule, struct cursor *c,
+                                 struct scheme *scheme)
+{
+    struct language *l = &scheme->language;
+    struct source *out = &rule->source[rule->count];
+    struct cursor place = *c;
+
+    if (rule->count == MAX_SOURCES)
+        cursor_error(c, "expected at most 32 sources in a rule");
+    if (cursor_accept_word(c, "centre")) {
+        out->kind = SOURCE_CENTRE;
+        if (scheme->mesh == DUAL)
+            cursor_error(&place, "a dual mesh has no point in its centre");
+    } else if (cursor_accept_word(c, "all")) {
+        cursor_skip_blanks(c);
+        place = *c;
+        out->kind = SOURCE_ALL;
+        read_sector_point(&out->a, &out->b, c, scheme->mesh);
+        if (out->a != 1 || out->b != 0)
+            beyond_version_0(l, &place, "expected (1,0), the only point of version 0");
+    } else {
+        beyond_version_0(l, c, "expected `all (1,0)` and its total weight");
+        if (rule->centre)                          /* else not the same for all sectors */
+            cursor_error(c, "expected `centre` or `all` in the rule of the centre");
+        read_point_source(out, c, scheme->mesh);
+    }
+
+    place = *c;
+    if (cursor_accept_word(c, "rest")) {
+        if (out->kind == SOURCE_EACH || out->kind == SOURCE_SPECTRUM)
+            cursor_error(&place, "`rest` cannot be the weights of all sectors");
+        if (rule->rest >= 0)
+            cursor_error(&place, "expected `rest` as exactly one of the weights");
+        rule->rest = rule->count;
+    } else {
+        out->weight = formula_read(c, l, out->kind == SOURCE_SPECTRUM ? MEANS_K | MEANS_M
+                                       : out->kind == SOURCE_EACH ? MEANS_K | MEANS_J
+                                       : MEANS_K);
+    }
+    if (out->kind == SOURCE_SPECTRUM && cursor_accept(c, ','))
+        out->imaginary = formula_read(c, l, MEANS_K | MEANS_M);
+    cursor_expect_end(c);
+    rule->count++;
+    return place;
+}
+
+/* Exactly one `rest`; without one the value of the one spectrum at m = 0 is it. */
+static void find_rest(struct rule *rule, const struct cursor *place)
+{
+    int spectra = 0;
+
+    if (rule->rest >= 0)
+        return;
+    for (int i = 0; i < rule->count; i++) {
+        if (rule->source[i].kind == SOURCE_SPECTRUM) {
+            rule->rest = i;
+            spectra++;
+        }
+    }
+    if (spectra != 1)
+        cursor_error(place, "expected `rest` as exactly one of the weights");
+}
+
+static void read_rule(struct rule *out, struct reader *r)
+{
+    struct scheme *scheme = r->scheme;
+    struct language *l = &scheme->language;
+    struct cursor c = next_statement(r, "rule", "expected `rule`"), place = c;
+
+    out->rest = -1;
+    out->centre = cursor_accept_word(&c, "centre");
+    if (out->centre && scheme->mesh == DUAL)
+        cursor_error(&place, "a dual mesh has no point in its centre");
+    if (!out->centre) {
+        beyond_version_0(l, &c, "expected `centre`, the only rule of version 0");
+        read_sector_point(&out->a, &out->b, &c, scheme->mesh);
+    }
+    place = c;
+    if (cursor_accept_word(&c, "when")) {
+        beyond_version_0(l, &place, "expected the end of the line");
+        out->condition = condition_read(&c, l, MEANS_K);
+    }
+    cursor_expect_end(&c);
+    for (;;) {
+        statements_next(&c, &r->s, "expected a source and its weight, or `end`");
+        if (cursor_accept_word(&c, "end"))
+            break;
+        place = read_source(out, &c, scheme);
+    }
+    cursor_expect_end(&c);
+    find_rest(out, &place);
+    if (out->centre && (out->count != 2 || out->source[0].kind != SOURCE_CENTRE ||
+                        out->source[1].kind != SOURCE_ALL))
+        beyond_version_0(l, &place, "expected `centre` and `all (1,0)`, in this order");
+}
+
+static void read_mask_and_rules(struct reader *r)
+{
+    struct scheme *out = r->scheme;
+    struct step *step = &out->step[0];
+    struct rule *rule = allocate(MAX_RULES, sizeof rule[0]);
+    struct cursor c;
+
+    out->steps = 1;
+    step->old = step->new = out->mesh;
+    step->dilation = 2;
+    step->mask = read_mask(r);
+    step->rule = rule;
+    for (;;) {
+        struct statements ahead = r->s;
+
+        if (!statements_more(&c, &ahead))
+            break;
+        if (step->rules == 1)
+            beyond_version_0(&out->language, &c, "expected the end of the line");
+        if (!cursor_accept_word(&c, "rule"))
+            cursor_error(&c, "expected `rule`, or the end of the line");
+        if (step->rules == MAX_RULES)
+            cursor_error(&c, "expected at most 16 rules");
+        read_rule(&rule[step->rules++], r);
+    }
+    if (step->rules == 0) {
+        statements_end(&r->s);
+        c = (struct cursor) { r->s.file, r->s.line + 1, r->s.at, r->s.at, r->s.at };
+        beyond_version_0(&out->language, &c,
+                         "expected `rule centre`, not the end of the file");
+    }
+}
+
+/* Compositions
+ * ------------ */
+
+static struct source source_of(enum source_kind kind, int a, int b,
+                               const struct node *weight)
+{
+    struct source out = { .kind = kind, .a = a, .b = b, .weight = weight };
+
+    return out;
+}
+
+/* The rule of the centre: the old centre, all (1,0), and the rest to all (1,1);
+ * or, without weights, all to all (1,1). */
+static const struct rule *centre_rule(const struct node *own, const struct node *edges)
+{
+    struct rule *out = allocate(1, sizeof *out);
+
+    out->centre = true;
+    if (own != NULL) {
+        out->source[out->count++] = source_of(SOURCE_CENTRE, 0, 0, own);
+        out->source[out->count++] = source_of(SOURCE_ALL, 1, 0, edges);
+    }
+    out->rest = out->count;
+    out->source[out->count++] = source_of(SOURCE_ALL, 1, 1, NULL);
+    return out;
+}
+
+/* The mask on the square of this side whose lowest label is (low, low). */
+static struct mask square_mask(int low, int side, const rational *weight)
+{
+    struct mask out = mask_new(low, low, side, side);
+
+    mask_set_weights(&out, weight);
+    return out;
+}
+
+static struct step refine_step(enum mesh old)
+{
+    rational w[9];
+    struct step out = { .old = old, .new = QUAD, .dilation = 2 };
+
+    for (int i = 0; i < 9; i++)                    /* 1 = 4/4, 1/2 = 2/4, 1/4 */
+        w[i] = rational_from((i % 3 == 1 ? 2 : 1) * (i / 3 == 1 ? 2 : 1), 4);
+    out.mask = square_mask(old == DUAL ? -2 : -1, 3, w);
+    if (old == DUAL) {
+        out.rules = 1;
+        out.rule = centre_rule(NULL, NULL);
+    }
+    return out;
+}
+
+static struct step smooth_step(rational own, rational edges, const struct node *at_centre[2])
+{
+    rational diagonals = rational_sub(rational_sub(rational_from(1, 1), own), edges);
+    rational four = rational_from(4, 1), w[9];
+    struct step out = { .old = QUAD, .new = QUAD, .dilation = 1, .rules = 1 };
+
+    for (int i = 0; i < 9; i++)
+        w[i] = rational_divide(i % 2 == 0 ? diagonals : edges, four);
+    w[4] = own;
+    out.mask = square_mask(-1, 3, w);
+    out.rule = centre_rule(at_centre[0], at_centre[1]);
+    return out;
+}
+
+static struct step average_step(void)
+{
+    rational quarter = rational_from(1, 4);
+    rational w[4] = { quarter, quarter, quarter, quarter };
+    struct step out = { .old = QUAD, .new = DUAL, .dilation = 1 };
+
+    out.mask = square_mask(0, 2, w);
+    return out;
+}
+
+static struct node *number_node(rational q)
+{
+    struct node *out = allocate(1, sizeof *out);
+
+    out->kind = NODE_NUMBER;
+    out->number = q;
+    return out;
+}
+
+/* formula "," formula */
+static void read_comma(struct cursor *c)
+{
+    if (!cursor_accept(c, ','))
+        cursor_error(c, "expected `,` and a second weight");
+}
+
+static void add_step(struct scheme *out, const struct step *step, const struct cursor *c)
+{
+    if (out->steps == MAX_STEPS)
+        cursor_error(c, "expected at most 34 steps");
+    out->step[out->steps++] = *step;
+}
+
+/* ["repeat" formula ":"] "smooth" pair ["centre" pair] */
+static void read_smooth(struct reader *r, struct cursor *c)
+{
+    struct language *l = &r->scheme->language;
+    const struct node *at_centre[2];
+    struct cursor place = *c;
+    struct step step;
+    rational own, edges;
+    int64_t times = 1;
+
+    if (cursor_accept_word(c, "repeat")) {
+        rational q = read_rational(c, l);
+
+        if (!rational_is_whole(q) || q.num.sign < 0 ||
+            !integer_get_small(&times, q.num, MAX_STEPS))
+            cursor_error(&place, "expected a whole number of repetitions, at most 34");
+        if (!cursor_accept(c, ':'))
+            cursor_error(c, "expected `:`");
+    }
+    if (!cursor_accept_word(c, "smooth"))
+        cursor_error(c, "expected `smooth`, `repeat`, `average` or `end`");
+    own = read_rational(c, l);
+    read_comma(c);
+    edges = read_rational(c, l);
+    at_centre[0] = number_node(own);
+    at_centre[1] = number_node(edges);
+    if (cursor_accept_word(c, "centre")) {
+        at_centre[0] = formula_read(c, l, MEANS_K);
+        read_comma(c);
+        at_centre[1] = formula_read(c, l, MEANS_K);
+    }
+    cursor_expect_end(c);
+    step = smooth_step(own, edges, at_centre);
+    for (int64_t i = 0; i < times; i++)
+        add_step(r->scheme, &step, &place);
+}
+
+/* "average" ["when" condition] */
+static bool read_average(struct reader *r, struct cursor *c)
+{
+    struct language *l = &r->scheme->language;
+    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    bool out = true;
+
+    if (cursor_accept_word(c, "when"))
+        out = condition_holds(condition_read(c, l, 0), &e);
+    cursor_expect_end(c);
+    return out;
+}
+
+static void read_composition(struct reader *r)
+{
+    struct scheme *out = r->scheme;
+    struct cursor c = next_statement(r, "compose", ""), place = c;
+    struct step average = average_step();
+
+    beyond_version_0(&out->language, &c, "expected `mask` or `mask symmetric`");
+    if (out->mesh != QUAD)
+        cursor_error(&c, "expected `mesh quad` for `compose`");
+    cursor_expect_end(&c);
+    c = next_statement(r, "refine", "expected `refine`");
+    cursor_expect_end(&c);
+    out->steps = 1;                                /* made below */
+    for (;;) {
+        statements_next(&c, &r->s, "expected a step, or `end`");
+        if (cursor_accept_word(&c, "end"))
+            break;
+        if (cursor_accept_word(&c, "average")) {
+            if (read_average(r, &c)) {
+                out->mesh = DUAL;
+                add_step(out, &average, &place);
+            }
+            c = next_statement(r, "end", "expected `end` behind `average`");
+            break;
+        }
+        read_smooth(r, &c);
+    }
+    cursor_expect_end(&c);
+    statements_end(&r->s);
+    out->step[0] = refine_step(out->mesh);
+}
+
+/* Size
+ * ---- */
+
+int mask_reach(const struct mask *mask, enum mesh old, enum mesh new)
+{
+    int out = 0;
+
+    for (int i = 0; i < mask->side_a * mask->side_b; i++) {
+        int a = i / mask->side_b + mask->low_a, b = i % mask->side_b + mask->low_b;
+        int reach;
+
+        if (mask->coefficient[i].sign == 0)
+            continue;
+        if (old == DUAL && new == DUAL) {          /* i >= 0 counts as i + 1 */
+            a = a >= 0 ? a + 1 : a;
+            b = b >= 0 ? b + 1 : b;
+        }
+        reach = lattice_distance(new, a, b);
+        if (old == QUAD && new == DUAL)            /* average */
+            reach = 0;
+        out = reach > out ? reach : out;
+    }
+    return out;
+}
+
+int step_needs(const struct step *step, int j)
+{
+    int out = (j + step->reach) / step->dilation;
+
+    for (int i = 0; i < step->rules; i++) {
+        const struct rule *rule = &step->rule[i];
+
+        if (!rule->centre && label_ring(step->new, rule->a, rule->b) > j)
+            continue;
+        for (int n = 0; n < rule->count; n++) {
+            const struct source *s = &rule->source[n];
+            int ring = label_ring(step->old, s->a, s->b);
+
+            if (s->kind != SOURCE_CENTRE && ring > out)
+                out = ring;
+        }
+    }
+    return out;
+}
+
+/* All of it
+ * --------- */
+
+void scheme_read(struct scheme *out, const char *file, const char *text, size_t size,
+                 struct setting *settings, int setting_count)
+{
+    struct reader r = { out, { file, 0, text, text + size }, settings, setting_count };
+
+    memset(out, 0, sizeof *out);
+    out->language.file = file;
+    read_header(&r);
+    read_definitions(&r);
+    if (next_is(&r, "compose"))
+        read_composition(&r);
+    else
+        read_mask_and_rules(&r);
+    for (int i = 0; i < out->steps; i++) {
+        struct step *step = &out->step[i];
+
+        step->reach = mask_reach(&step->mask, step->old, step->new);
+        out->mask = i == 0 ? step->mask : mask_multiply(&step->mask, &out->mask);
+    }
+    out->mirrored = scheme_is_mirrored(out);
 }

@@ -4,21 +4,75 @@
 /* Schemes
  * =======
  *
- * What a scheme file says at one valence: lib/scheme.md.
+ * What a scheme file says: lib/scheme.md.  All points are given by their labels
+ * (certificate.md, section 3), and compositions have been written out as steps
+ * with masks and rules, so that nobody else needs to know of them.
  */
 
 #include "mask.h"
+#include "evaluate.h"
+
+enum { MAX_RULES = 16, MAX_SOURCES = 32, MAX_STEPS = 34 };
+
+struct source {
+    enum source_kind {
+        SOURCE_CENTRE,
+        SOURCE_ALL,                                /* all (a,b) */
+        SOURCE_ONE,                                /* (a,b) @ sectors */
+        SOURCE_EACH,                               /* (a,b) @ j */
+        SOURCE_SPECTRUM
+    } kind;
+    int a, b, sectors;
+    const struct node *weight;                     /* NULL: the rest */
+    const struct node *imaginary;                  /* of a spectrum, or NULL */
+};
+
+struct rule {
+    bool centre;
+    int a, b;                                      /* else */
+    const struct node *condition;                  /* NULL: always */
+    int rest;                                      /* the source of this number is it */
+    int count;
+    struct source source[MAX_SOURCES];
+};
+
+struct step {
+    enum mesh old, new;                            /* of the nets */
+    int dilation;
+    int reach;                                     /* section 5, "Size" */
+    struct mask mask;
+    int rules;
+    const struct rule *rule;
+};
 
 struct scheme {
     char name[65];
-    struct mask mask;                              /* conditions checked */
-    interval centre, all;                          /* c0 and c1 on the grid */
+    enum mesh mesh;                                /* of the old net and the result */
+    struct language language;
+    int steps;
+    struct step step[MAX_STEPS];
+    struct mask mask;                              /* of all steps together */
+    bool mirrored;                                 /* evidently mirror-symmetric */
 };
 
-/* Reads the text of the file (whose bytes text_canonical() has checked), with
- * formulas evaluated at k on the grid g.  A text that is not a scheme of
- * version 0: cannot check. */
-void scheme_read(struct scheme *out, const char *file, const char *text,
-                 size_t size, int k, int g);
+/* --set NAME=VALUE */
+struct setting {
+    const char *name, *value;
+    bool used;
+};
+
+/* Reads the text of the file (whose bytes text_canonical() has checked).  A text
+ * that is not a scheme: cannot check. */
+void scheme_read(struct scheme *out, const char *file, const char *text, size_t size,
+                 struct setting *settings, int setting_count);
+
+/* The largest reach of a mask's points: section 5, "Size". */
+int mask_reach(const struct mask *mask, enum mesh old, enum mesh new);
+
+/* The number of the ring of a label of the sector. */
+int label_ring(enum mesh mesh, int a, int b);
+
+/* needed(j) of section 5 for one step. */
+int step_needs(const struct step *step, int j);
 
 #endif

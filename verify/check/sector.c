@@ -6,144 +6,423 @@
 #include "answer.h"
 #include "trig.h"
 
-#include <stdlib.h>
-
-void pair_set(struct pair *out, const struct pair *v)
-{
-    interval_set(&out->x, &v->x);
-    interval_set(&out->y, &v->y);
-}
+#include <string.h>
 
 /* Rotation
  * -------- */
 
-static void prepare_twist(struct twist *out, int k, int m, int g)
+void label_from_next(enum mesh mesh, int *a, int *b)
 {
-    rational q;
-    interval one, square;
+    int x = *a;
 
-    out->m = m;
-    if (m == 0)
-        return;
-    rational_set_small(&q, m, k);
-    grid_set_small(&one, 1, g);
-    grid_cos_pi(&out->u, &q, g);                   /* u = cos(w/2) */
-    interval_add(&out->v, &out->u, &out->u);
-    grid_mul(&out->c, &out->v, &out->u, g);        /* c = 2u^2 - 1 = cos w */
-    interval_sub(&out->c, &out->c, &one);
-    grid_mul(&square, &out->u, &out->u, g);
-    interval_sub(&square, &one, &square);
-    grid_mul(&out->n, &out->v, &square, g);        /* n = sin w sin(w/2) */
+    *a = mesh == TRIANGLE ? x + *b : *b;
+    *b = mesh == DUAL ? 1 - x : -x;
 }
 
-/* T (x, y) = (c x - n y, v x + c y) */
-static void turn_forward(struct pair *p, const struct twist *t, int g)
+void label_from_before(enum mesh mesh, int *a, int *b)
 {
-    interval cx, ny, vx, cy;
+    int y = *b;
 
-    if (t->m == 0)
-        return;
-    grid_mul(&cx, &t->c, &p->x, g);
-    grid_mul(&ny, &t->n, &p->y, g);
-    grid_mul(&vx, &t->v, &p->x, g);
-    grid_mul(&cy, &t->c, &p->y, g);
-    interval_sub(&p->x, &cx, &ny);
-    interval_add(&p->y, &vx, &cy);
+    *b = mesh == TRIANGLE ? *a + y : *a;
+    *a = mesh == DUAL ? 1 - y : -y;
 }
 
-/* T^-1 (x, y) = (c x + n y, c y - v x) */
-static void turn_backward(struct pair *p, const struct twist *t, int g)
+enum place label_turn(enum mesh mesh, int *a, int *b)
 {
-    interval cx, ny, vx, cy;
+    int first = mesh == DUAL ? 1 : 0;
 
-    if (t->m == 0)
+    if (mesh != DUAL && *a == 0 && *b == 0)
+        return CENTRE;
+    if (*a >= 1 && *b >= first)
+        return IN_SECTOR;
+    if (*b >= 1) {
+        label_from_next(mesh, a, b);
+        return BEHIND;
+    }
+    if (*a >= first) {
+        label_from_before(mesh, a, b);
+        return BEFORE;
+    }
+    return OPPOSITE;
+}
+
+static struct pair apply_matrix(const interval m[4], struct pair v, int g)
+{
+    struct pair out = { interval_add(grid_mul(m[0], v.x, g), grid_mul(m[1], v.y, g)),
+                        interval_add(grid_mul(m[2], v.x, g), grid_mul(m[3], v.y, g)) };
+
+    return out;
+}
+
+static void set_matrix(interval m[4], interval m0, interval m1, interval m2, interval m3)
+{
+    m[0] = m0;
+    m[1] = m1;
+    m[2] = m2;
+    m[3] = m3;
+}
+
+/* The hull of cos(pi first q) and cos(pi last q), q = num/k; or of sines. */
+static interval over_range(interval (*f)(rational, int), int64_t num,
+                           const struct block *block)
+{
+    const struct valence *v = block->v;
+    interval out = f(rational_from(num * block->first, v->k), v->g);
+
+    if (block->first == block->last)
+        return out;
+    return interval_hull(out, f(rational_from(num * block->last, v->k), v->g));
+}
+
+static void prepare_turn(struct block *out)
+{
+    int g = out->v->g;
+    int64_t k = out->v->k;
+    interval one = grid_from(1, g), c, s;
+
+    if (out->plain)
         return;
-    grid_mul(&cx, &t->c, &p->x, g);
-    grid_mul(&ny, &t->n, &p->y, g);
-    grid_mul(&vx, &t->v, &p->x, g);
-    grid_mul(&cy, &t->c, &p->y, g);
-    interval_add(&p->x, &cx, &ny);
-    interval_sub(&p->y, &cy, &vx);
+    if (out->real) {
+        interval u = over_range(grid_cos_pi, 1, out), v = interval_add(u, u), n;
+
+        out->u = u;
+        c = interval_sub(grid_mul(v, u, g), one);
+        n = grid_mul(v, interval_sub(one, grid_mul(u, u, g)), g);
+        set_matrix(out->turn, c, interval_minus(n), v, c);
+        set_matrix(out->back, c, n, interval_minus(v), c);
+        return;
+    }
+    c = over_range(grid_cos_pi, 2, out);
+    s = over_range(grid_sin_pi, 2, out);
+    if (out->first < out->last && 4 * out->first <= k && k <= 4 * out->last)
+        s = interval_hull(s, one);
+    set_matrix(out->turn, c, interval_minus(s), s, c);
+    set_matrix(out->back, c, s, interval_minus(s), c);
 }
 
 /* Nets
  * ---- */
 
-/* Ring j = a + b begins behind the 1 + 2 + ... + (j-1) points of the rings
- * before it. */
-struct pair *net_at(const struct net *net, int a, int b)
+static int side(const struct net *net)
 {
-    int ring = a + b;
+    return 2 * net->rings + 3;
+}
 
-    if (a < 1 || b < 0 || ring > net->rings)
+/* The index of a label with both coordinates from -rings - 1 to rings + 1. */
+static size_t cell(const struct net *net, int a, int b)
+{
+    int i = a + net->rings + 1, j = b + net->rings + 1;
+
+    if (i < 0 || i >= side(net) || j < 0 || j >= side(net))
         cannot_check("the checker looks for a point outside of its net");
-    return &net->value[ring * (ring - 1) / 2 + b];
+    return (size_t)i * (size_t)side(net) + (size_t)j;
 }
 
-void net_prepare(struct net *out, int rings)
+struct net net_make(enum mesh mesh, int rings)
 {
-    out->rings = rings;                            /* zeroed memory is 0 */
-    out->value = allocate((size_t)(rings * (rings + 1) / 2), sizeof out->value[0]);
-    interval_set(&out->centre.x, &out->value[0].x);
-    interval_set(&out->centre.y, &out->value[0].y);
+    struct net out = { .mesh = mesh, .rings = rings };
+    size_t cells = (size_t)side(&out) * (size_t)side(&out);
+
+    out.value = allocate(cells, sizeof out.value[0]);
+    out.known = allocate(cells, sizeof out.known[0]);
+    memset(&out.centre, 0, sizeof out.centre);     /* zeroed memory is 0 */
+    return out;
 }
 
-void net_clear(struct net *net)
+void net_set(struct net *net, int a, int b, struct pair value)
 {
-    free(net->value);
+    size_t i = cell(net, a, b);
+
+    net->value[i] = value;
+    net->known[i] = true;
 }
 
-void net_value(struct pair *out, const struct net *net, const struct twist *twist,
-               int a, int b, int g)
+struct pair net_value(const struct net *net, const struct block *block, int a, int b)
 {
-    if (a == 0 && b == 0) {
-        pair_set(out, &net->centre);
-    } else if (a >= 1 && b >= 0) {
-        pair_set(out, net_at(net, a, b));
-    } else if (b >= 1) {                           /* and a <= 0 */
-        net_value(out, net, twist, a + b, -a, g);
-        turn_forward(out, twist, g);
-    } else if (a >= 0) {                           /* and b <= -1 */
-        net_value(out, net, twist, -b, a + b, g);
-        turn_backward(out, twist, g);
-    } else {                                       /* a < 0, b <= 0 */
-        cannot_check("a rule uses a point opposite to its sector; "
-                     "version 0 has no such rules");
+    size_t here = cell(net, a, b);
+    int64_t regular = net->mesh == TRIANGLE ? 6 : 4;
+    enum place place;
+    struct pair out;
+
+    if (net->known[here])
+        return net->value[here];
+    place = label_turn(net->mesh, &a, &b);
+    if (place == CENTRE)
+        return net->centre;
+    if (place == IN_SECTOR) {
+        if (label_ring(net->mesh, a, b) > net->rings)
+            cannot_check("the checker looks for a point outside of its net");
+        return net->value[here];                   /* 0 */
+    }
+    if (place == OPPOSITE && block->v->k == regular) {
+        label_from_next(net->mesh, &a, &b);
+        place = BEHIND;
+    }
+    if (place == OPPOSITE)
+        cannot_check("a rule uses a point opposite to its sector");
+    out = net_value(net, block, a, b);
+    if (!block->plain)
+        out = apply_matrix(place == BEHIND ? block->turn : block->back, out, block->v->g);
+    net->value[here] = out;
+    net->known[here] = true;
+    return out;
+}
+
+/* New values
+ * ---------- */
+
+static void add_pair(struct pair *sum, struct pair term)
+{
+    sum->x = interval_add(sum->x, term.x);
+    sum->y = interval_add(sum->y, term.y);
+}
+
+static struct pair zero_pair(void)
+{
+    interval zero = interval_thin(integer_from(0));
+    struct pair out = { zero, zero };
+
+    return out;
+}
+
+static struct pair value_by_rule(const struct net *old, const struct block *block,
+                                 const struct block_rule *rule)
+{
+    struct pair sum = zero_pair();
+    int g = block->v->g;
+
+    for (int i = 0; i < rule->terms; i++) {
+        const struct term *t = &rule->term[i];
+        struct pair v = t->source->kind == SOURCE_CENTRE
+                      ? old->centre
+                      : net_value(old, block, t->source->a, t->source->b);
+
+        if (block->plain)
+            sum.x = interval_add(sum.x, grid_mul(t->m[0], v.x, g));
+        else
+            add_pair(&sum, apply_matrix(t->m, v, g));
+    }
+    return sum;
+}
+
+static struct pair value_by_mask(const struct net *old, const struct block *block,
+                                 const struct stencil *s, int a, int b)
+{
+    struct pair sum = zero_pair();
+    int class = stencil_class(s, a, b), g = block->v->g;
+
+    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
+        const struct stencil_entry *e = &s->entry[i];
+        struct pair v = net_value(old, block, (a - e->a) / s->dilation,
+                                  (b - e->b) / s->dilation);
+
+        sum.x = interval_add(sum.x, grid_mul(e->weight, v.x, g));
+        if (!block->plain)
+            sum.y = interval_add(sum.y, grid_mul(e->weight, v.y, g));
+    }
+    return sum;
+}
+
+/* Without a rule the centre is multiplied by mask(0,0), and no other weight of the
+ * mask may reach it. */
+static struct pair centre_by_mask(const struct net *old, const struct block *block,
+                                  const struct stencil *s)
+{
+    struct pair out = zero_pair();
+
+    for (int i = s->first[0]; i < s->first[1]; i++) {
+        if (s->entry[i].a != 0 || s->entry[i].b != 0)
+            cannot_check("the centre has no rule, and the mask does not give it its "
+                         "old value");
+        out.x = grid_mul(s->entry[i].weight, old->centre.x, block->v->g);
+    }
+    return out;
+}
+
+static struct pair new_value(const struct net *old, const struct block *block, int step,
+                             bool centre, int a, int b)
+{
+    const struct active_step *active = &block->v->step[step];
+    const struct active_rule *rule = valence_rule(active, centre, a, b);
+
+    if (rule != NULL)
+        return value_by_rule(old, block, &block->rule[step][rule - active->rule]);
+    if (centre)
+        return centre_by_mask(old, block, &active->stencil);
+    return value_by_mask(old, block, &active->stencil, a, b);
+}
+
+static struct net apply_step(const struct net *old, const struct block *block, int step,
+                             int rings)
+{
+    enum mesh mesh = block->v->step[step].step->new;
+    struct net out = net_make(mesh, rings);
+
+    if (block->plain && mesh != DUAL)
+        out.centre = new_value(old, block, step, true, 0, 0);
+    for (int a = 1; a <= rings; a++)
+        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
+            net_set(&out, a, b, new_value(old, block, step, false, a, b));
+    return out;
+}
+
+struct net net_subdivide(const struct net *old, const struct block *block, int rings)
+{
+    const struct scheme *scheme = block->v->scheme;
+    int needs[MAX_STEPS + 1];
+    struct net net = *old;
+
+    needs[scheme->steps] = rings;
+    for (int i = scheme->steps - 1; i >= 0; i--)
+        needs[i] = step_needs(&scheme->step[i], needs[i + 1]);
+    for (int i = 0; i < scheme->steps; i++)
+        net = apply_step(&net, block, i, needs[i + 1]);
+    return net;
+}
+
+/* Rules at these frequencies
+ * -------------------------- */
+
+/* m = W T^s */
+static void power_matrix(interval m[4], interval w, int sectors, const struct block *block)
+{
+    int g = block->v->g, turns = sectors < 0 ? -sectors : sectors;
+    interval one = grid_from(1, g), zero = grid_from(0, g);
+    const interval *t = sectors < 0 ? block->back : block->turn;
+
+    set_matrix(m, one, zero, zero, one);
+    for (int i = 0; !block->plain && i < turns; i++) {
+        struct pair left = { m[0], m[2] }, right = { m[1], m[3] };
+
+        left = apply_matrix(t, left, g);
+        right = apply_matrix(t, right, g);
+        set_matrix(m, left.x, right.x, left.y, right.y);
+    }
+    for (int i = 0; i < 4; i++)
+        m[i] = grid_mul(w, m[i], g);
+}
+
+/* m = sum of W_j T_j */
+static void each_matrix(interval m[4], const interval *each, const struct block *block)
+{
+    const struct valence *v = block->v;
+    interval h = grid_sin_pi(rational_from(block->first, v->k), v->g);
+
+    if (block->first < block->last)
+        rejected(v->reference.file, v->reference.line,
+                 "a weight for each sector is for single frequencies only");
+    for (int i = 0; i < 4; i++)
+        m[i] = grid_from(0, v->g);
+    for (int64_t j = 0; j < v->k; j++) {
+        struct mark mark = scratch_mark();
+        int64_t n = block->first * j % v->k;
+        interval c = v->cosine[n], s = v->sine[n];
+        interval t[4] = { c, interval_minus(s), s, c };
+
+        if (block->real) {
+            t[1] = interval_minus(grid_mul(h, s, v->g));
+            t[2] = grid_div(s, h, v->g);
+        }
+        for (int i = 0; i < 4; i++)
+            m[i] = interval_add(m[i], grid_mul(each[j], t[i], v->g));
+        interval_keep(mark, m, 4);
     }
 }
 
-void net_new_value(struct pair *out, const struct net *net,
-                   const struct block *block, int a, int b)
+static interval formula_at(const struct node *formula, const struct environment *e,
+                           const struct valence *v)
 {
-    int g = block->g;
-    struct pair old, sum;
-    interval product;
+    struct value value = evaluate(formula, e);
 
-    grid_set_small(&sum.x, 0, g);
-    grid_set_small(&sum.y, 0, g);
-    for (int i = 0; i < block->mask->count; i++) {
-        const struct stencil_entry *entry = &block->mask->entry[i];
+    value_require(value, e->language, v->reference.file, v->reference.line);
+    return value_enclose(value, v->g);
+}
 
-        if ((a - entry->a) % 2 != 0 || (b - entry->b) % 2 != 0)
-            continue;
-        net_value(&old, net, &block->twist, (a - entry->a) / 2,
-                  (b - entry->b) / 2, g);
-        grid_mul(&product, &entry->weight, &old.x, g);
-        interval_add(&sum.x, &sum.x, &product);
-        grid_mul(&product, &entry->weight, &old.y, g);
-        interval_add(&sum.y, &sum.y, &product);
+/* m = (R, -I; I, R).  I counts as 0 at m = k/2. */
+static void spectrum_matrix(interval m[4], const struct source *s,
+                            const struct block *block)
+{
+    const struct valence *v = block->v;
+    struct environment e = environment_make(&v->scheme->language, v->k, block->first,
+                                            block->last, -1, v->g);
+    interval r = formula_at(s->weight, &e, v), i = grid_from(0, v->g);
+
+    if (s->imaginary != NULL && 2 * block->first != v->k) {
+        i = formula_at(s->imaginary, &e, v);
+        if (2 * block->last >= v->k)
+            i = interval_hull(i, grid_from(0, v->g));
     }
-    pair_set(out, &sum);
+    set_matrix(m, r, interval_minus(i), i, r);
+}
+
+/* False if the source contributes nothing. */
+static bool make_term(struct term *out, const struct weighted *w,
+                      const struct block *block)
+{
+    interval zero = grid_from(0, block->v->g);
+
+    out->source = w->source;
+    set_matrix(out->m, w->weight, zero, zero, w->weight);
+    if (block->plain)                              /* all weights are totals */
+        return true;
+    switch (w->source->kind) {
+    case SOURCE_CENTRE:
+    case SOURCE_ALL:
+        return false;
+    case SOURCE_ONE:
+        power_matrix(out->m, w->weight, w->source->sectors, block);
+        return true;
+    case SOURCE_EACH:
+        each_matrix(out->m, w->each, block);
+        return true;
+    default:
+        spectrum_matrix(out->m, w->source, block);
+        return true;
+    }
+}
+
+static void prepare_rules(struct block *out)
+{
+    for (int i = 0; i < out->v->scheme->steps; i++) {
+        const struct active_step *step = &out->v->step[i];
+
+        out->rule[i] = allocate((size_t)step->rules, sizeof out->rule[i][0]);
+        for (int n = 0; n < step->rules; n++) {
+            struct block_rule *rule = &out->rule[i][n];
+            int count = step->rule[n].rule->count;
+
+            if (!out->plain && step->rule[n].rule->centre)
+                continue;                          /* it stays 0 */
+            rule->term = allocate((size_t)count, sizeof rule->term[0]);
+            for (int s = 0; s < count; s++)
+                if (make_term(&rule->term[rule->terms], &step->rule[n].weighted[s], out))
+                    rule->terms++;
+        }
+    }
 }
 
 /* Unknowns
  * -------- */
 
-int block_size(int h)
+int scheme_needs(const struct scheme *scheme, int j)
 {
-    int rings = h > 1 ? h : 1;
+    for (int i = scheme->steps - 1; i >= 0; i--)
+        j = step_needs(&scheme->step[i], j);
+    return j;
+}
 
-    return rings * (rings + 1) / 2;
+/* Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
+ * 33 rings before the first one halves. */
+int scheme_rings(const struct scheme *scheme)
+{
+    int out = 1;
+
+    for (int j = 200; j >= 1; j--)
+        if (scheme_needs(scheme, j) >= j && j > out)
+            out = j;
+    while (scheme_needs(scheme, out) > out)
+        out++;
+    return out;
 }
 
 static void add_unknown(struct block *out, int a, int b, enum unknown_kind kind)
@@ -155,60 +434,71 @@ static void add_unknown(struct block *out, int a, int b, enum unknown_kind kind)
     unknown->kind = kind;
 }
 
-static void list_unknowns(struct block *out)
+static void add_unknowns_at(struct block *out, int a, int b)
 {
-    out->n = 0;
-    out->unknown = allocate((size_t)block_size(out->rings) + 1,
-                            sizeof out->unknown[0]);
-    if (out->twist.m == 0)
-        add_unknown(out, 0, 0, CENTRE);
-    for (int ring = 1; ring <= out->rings; ring++) {
-        for (int b = 0; b < ring; b++) {
-            int a = ring - b;
-
-            if (out->twist.m == 0) {
-                add_unknown(out, a, b, PLAIN);
-            } else if (b == 0) {
-                add_unknown(out, a, b, SPOKE);
-            } else if (a == b) {
-                add_unknown(out, a, b, BISECTOR);
-            } else if (a > b) {
-                add_unknown(out, a, b, PAIR_X);
-                add_unknown(out, a, b, PAIR_Y);
-            }
-        }
+    if (out->plain) {
+        add_unknown(out, a, b, UNKNOWN_PLAIN);
+    } else if (!out->real) {
+        add_unknown(out, a, b, UNKNOWN_COMPLEX);
+    } else if (b == 0) {
+        add_unknown(out, a, b, UNKNOWN_SPOKE);
+    } else if (a == b) {
+        add_unknown(out, a, b, UNKNOWN_BISECTOR);
+    } else if (a > b) {
+        add_unknown(out, a, b, UNKNOWN_X);
+        add_unknown(out, a, b, UNKNOWN_Y);
     }
 }
 
-void net_from_unknowns(struct net *out, const struct block *block,
-                       const interval *unknowns)
+static void list_unknowns(struct block *out)
 {
-    const struct twist *twist = &block->twist;
+    enum mesh mesh = out->v->scheme->mesh;
+
+    out->unknown = allocate((size_t)(out->rings + 1) * (size_t)(out->rings + 1) * 2,
+                            sizeof out->unknown[0]);
+    if (out->plain && mesh != DUAL)
+        add_unknown(out, 0, 0, UNKNOWN_CENTRE);
+    for (int ring = 1; ring <= out->rings; ring++)
+        for (int b = mesh == DUAL ? 1 : 0; b <= ring; b++)
+            for (int a = ring; a >= 1; a--)
+                if (label_ring(mesh, a, b) == ring)
+                    add_unknowns_at(out, a, b);
+}
+
+void net_set_unknowns(struct net *out, const struct block *block,
+                      const interval *unknowns)
+{
+    interval zero = grid_from(0, block->v->g);
+    int g = block->v->g;
 
     for (int i = 0; i < block->n; i++) {
-        const struct unknown *unknown = &block->unknown[i];
-        int a = unknown->a, b = unknown->b;
+        int a = block->unknown[i].a, b = block->unknown[i].b;
+        struct pair value = { unknowns[i], zero };
 
-        switch (unknown->kind) {
-        case CENTRE:
-            interval_set(&out->centre.x, &unknowns[i]);
+        switch (block->unknown[i].kind) {
+        case UNKNOWN_CENTRE:
+            out->centre = value;
             break;
-        case PLAIN:
-        case SPOKE:
-            interval_set(&net_at(out, a, b)->x, &unknowns[i]);
+        case UNKNOWN_PLAIN:
+        case UNKNOWN_SPOKE:
+            net_set(out, a, b, value);
             break;
-        case BISECTOR:
-            grid_mul(&net_at(out, a, b)->x, &twist->u, &unknowns[i], block->g);
-            interval_set(&net_at(out, a, b)->y, &unknowns[i]);
+        case UNKNOWN_COMPLEX:
+            value.y = unknowns[i + block->n];
+            net_set(out, a, b, value);
             break;
-        case PAIR_X:                               /* PAIR_Y is unknown i + 1 */
-            interval_set(&net_at(out, a, b)->x, &unknowns[i]);
-            interval_set(&net_at(out, a, b)->y, &unknowns[i + 1]);
-            interval_set(&net_at(out, b, a)->x, &unknowns[i]);
-            interval_minus(&net_at(out, b, a)->y, &unknowns[i + 1]);
-            turn_forward(net_at(out, b, a), twist, block->g);
+        case UNKNOWN_BISECTOR:
+            value.x = grid_mul(block->u, unknowns[i], g);
+            value.y = unknowns[i];
+            net_set(out, a, b, value);
             break;
-        case PAIR_Y:
+        case UNKNOWN_X:                            /* UNKNOWN_Y is unknown i + 1 */
+            value.y = unknowns[i + 1];
+            net_set(out, a, b, value);
+            value.y = interval_minus(value.y);     /* V(b,a) = T (x, -y) */
+            net_set(out, b, a, apply_matrix(block->turn, value, g));
+            break;
+        case UNKNOWN_Y:
             break;
         }
     }
@@ -217,61 +507,59 @@ void net_from_unknowns(struct net *out, const struct block *block,
 /* Blocks
  * ------ */
 
-void block_prepare(struct block *out, const struct scheme *scheme,
-                   const struct stencil *mask, int k, int m, int g)
+void block_prepare(struct block *out, const struct valence *v, bool real, int64_t first,
+                   int64_t last)
 {
-    int h = stencil_radius(mask);
-
-    out->scheme = scheme;
-    out->mask = mask;
-    out->g = g;
-    out->rings = h > 1 ? h : 1;
-    prepare_twist(&out->twist, k, m, g);
+    memset(out, 0, sizeof *out);
+    out->v = v;
+    out->first = first;
+    out->last = last;
+    out->plain = first == 0;
+    out->real = real && !out->plain;
+    out->rings = scheme_rings(v->scheme);
+    prepare_turn(out);
+    prepare_rules(out);
     list_unknowns(out);
+    out->size = out->plain || out->real ? out->n : 2 * out->n;
 }
 
-void block_clear(struct block *block)
+/* The value of a net at an unknown; `second`: the imaginary part. */
+static interval read_off(const struct net *net, const struct block *block, int i,
+                         bool second)
 {
-    free(block->unknown);
-}
+    const struct unknown *unknown = &block->unknown[i];
+    struct pair v = unknown->kind == UNKNOWN_CENTRE
+                  ? net->centre : net_value(net, block, unknown->a, unknown->b);
 
-/* The new net of `net`, read off at an unknown. */
-static void read_off(interval *out, const struct net *net,
-                     const struct block *block, const struct unknown *unknown)
-{
-    struct pair new;
-
-    if (unknown->kind == CENTRE) {
-        interval product;
-
-        grid_mul(&product, &block->scheme->centre, &net->centre.x, block->g);
-        grid_mul(&new.x, &block->scheme->all, &net_at(net, 1, 0)->x, block->g);
-        interval_add(out, &product, &new.x);
-        return;
-    }
-    net_new_value(&new, net, block, unknown->a, unknown->b);
-    if (unknown->kind == BISECTOR || unknown->kind == PAIR_Y)
-        interval_set(out, &new.y);
-    else
-        interval_set(out, &new.x);
+    if (unknown->kind == UNKNOWN_BISECTOR || unknown->kind == UNKNOWN_Y || second)
+        return v.y;
+    return v.x;
 }
 
 interval *block_matrix(const struct block *block)
 {
-    size_t n = (size_t)block->n;
-    interval *matrix = allocate(n * n, sizeof matrix[0]);
-    interval *unit = allocate(n, sizeof unit[0]);
-    struct net net;
+    size_t size = (size_t)block->size, n = (size_t)block->n;
+    interval *matrix = allocate(size * size, sizeof matrix[0]);
+    interval *unit = allocate(2 * n, sizeof unit[0]);
+    interval *column = allocate(size, sizeof column[0]);
 
-    net_prepare(&net, block->rings);
     for (size_t j = 0; j < n; j++) {
-        grid_set_small(&unit[j], 1, block->g);
-        net_from_unknowns(&net, block, unit);
-        for (size_t i = 0; i < n; i++)
-            read_off(&matrix[i * n + j], &net, block, &block->unknown[i]);
-        grid_set_small(&unit[j], 0, block->g);
+        struct mark mark = scratch_mark();
+        struct net net = net_make(block->v->scheme->mesh, block->rings);
+
+        unit[j] = grid_from(1, block->v->g);
+        net_set_unknowns(&net, block, unit);
+        net = net_subdivide(&net, block, block->rings);
+        for (size_t i = 0; i < size; i++)
+            column[i] = read_off(&net, block, (int)(i % n), i >= n);
+        interval_keep(mark, column, size);
+        unit[j] = interval_thin(integer_from(0));
+        for (size_t i = 0; i < size; i++)
+            matrix[i * size + j] = column[i];
+        for (size_t i = 0; size > n && i < n; i++) {
+            matrix[i * size + n + j] = interval_minus(column[i + n]);
+            matrix[(i + n) * size + n + j] = column[i];
+        }
     }
-    net_clear(&net);
-    free(unit);
     return matrix;
 }

@@ -5,84 +5,101 @@
  * ===========
  *
  * Section 5 of certificate.md.  A net on the k-regular complex that rotation
- * multiplies by exp(i w_m) is stored on the sector {a >= 1, b >= 0}, up to some
- * ring a + b.  For m >= 1 a value is a pair (x, y) that stands for
- * x + i sin(w_m/2) y.  For m = 0 values are plain: y is 0 and not used.
+ * multiplies by exp(i w_m) is stored on one sector, up to some ring.  For m >= 1 a
+ * value is a pair; for m = 0 values are plain: y is 0 and not used.
  */
 
-#include "scheme.h"
+#include "valence.h"
 
 struct pair {
     interval x, y;
 };
 
-/* Rotation by one sector in block m. */
-struct twist {
-    int m;
-    interval u, v, c, n;                           /* m >= 1 */
-};
+/* Where a label of the plane is. */
+enum place { IN_SECTOR, CENTRE, BEHIND, BEFORE, OPPOSITE };
 
+/* The same place, named from the next sector or from the one before. */
+void label_from_next(enum mesh mesh, int *a, int *b);
+void label_from_before(enum mesh mesh, int *a, int *b);
+
+/* BEHIND (T V) and BEFORE (T^-1 V): the label is turned by one sector. */
+enum place label_turn(enum mesh mesh, int *a, int *b);
+
+/* Values on the rings 1..rings of the sector and, found by rotation when they are
+ * first asked for, on the labels of the plane round it. */
 struct net {
+    enum mesh mesh;
     int rings;
     struct pair centre;
-    struct pair *value;                            /* see net_at() */
+    struct pair *value;
+    bool *known;
 };
 
-/* An unknown of a block: what is read off at which point. */
+/* An unknown of a block: what is read off at which label. */
 struct unknown {
     int a, b;
     enum unknown_kind {
-        CENTRE,                                    /* m = 0: the centre */
-        PLAIN,                                     /* m = 0: the value */
-        SPOKE,                                     /* b = 0: x */
-        BISECTOR,                                  /* a = b: y, where x = u y */
-        PAIR_X, PAIR_Y                             /* a > b > 0: x, y */
+        UNKNOWN_CENTRE,                            /* m = 0: the centre */
+        UNKNOWN_PLAIN,                             /* m = 0: the value */
+        UNKNOWN_COMPLEX,                           /* x + i y */
+        UNKNOWN_SPOKE,                             /* b = 0: x */
+        UNKNOWN_BISECTOR,                          /* a = b: y, where x = u y */
+        UNKNOWN_X, UNKNOWN_Y                       /* a > b > 0: x, y */
     } kind;
 };
 
-/* What a computation on nets of one block depends on. */
+/* A source of a rule: the pairs at its label are multiplied by a matrix. */
+struct term {
+    const struct source *source;
+    interval m[4];                                 /* m0 m1; m2 m3 */
+};
+
+struct block_rule {
+    int terms;
+    struct term *term;
+};
+
+/* What a computation on the nets of some frequencies depends on. */
 struct block {
-    const struct scheme *scheme;
-    const struct stencil *mask;
-    int g;
-    struct twist twist;
+    const struct valence *v;
+    int64_t first, last;                           /* m */
+    bool plain, real;                              /* m = 0; m >= 1 in real form */
+    interval turn[4], back[4], u;                  /* T, T^-1 */
+    struct block_rule *rule[MAX_STEPS];            /* as in v->step[].rule */
     int rings;                                     /* R */
     int n;                                         /* number of unknowns */
+    int size;                                      /* of the real matrix: N */
     struct unknown *unknown;
 };
 
-void pair_set(struct pair *out, const struct pair *v);
+/* R of a scheme. */
+int scheme_rings(const struct scheme *scheme);
 
-/* Prepares block m of valence k: twist, size and unknowns. */
-void block_prepare(struct block *out, const struct scheme *scheme,
-                   const struct stencil *mask, int k, int m, int g);
+/* needed(j) of a scheme. */
+int scheme_needs(const struct scheme *scheme, int j);
 
-/* Number of unknowns of the blocks m >= 1 for a mask of radius h. */
-int block_size(int h);
+/* The block of the frequencies first..last. */
+void block_prepare(struct block *out, const struct valence *v, bool real, int64_t first,
+                   int64_t last);
 
-void block_clear(struct block *block);
-
-/* B: n x n, entry i n + j is row i, column j.  The caller frees it. */
+/* M: size x size, row by row. */
 interval *block_matrix(const struct block *block);
 
 /* A net of zeros with that many rings. */
-void net_prepare(struct net *out, int rings);
+struct net net_make(enum mesh mesh, int rings);
 
-void net_clear(struct net *net);
+/* Sets the value at a label of the sector. */
+void net_set(struct net *net, int a, int b, struct pair value);
 
-/* The stored value at (a,b), a >= 1, b >= 0, a + b <= rings. */
-struct pair *net_at(const struct net *net, int a, int b);
+/* Sets the values on the rings 1..R (and the centre) from the unknowns (complex
+ * form: real parts, then imaginary parts). */
+void net_set_unknowns(struct net *out, const struct block *block,
+                      const interval *unknowns);
 
-/* Sets the values on the rings 1..R (and the centre) from the unknowns. */
-void net_from_unknowns(struct net *out, const struct block *block,
-                       const interval *unknowns);
+/* V(a,b) for any label of the plane that is not opposite. */
+struct pair net_value(const struct net *net, const struct block *block, int a, int b);
 
-/* V(a,b) for any point of the plane that is not opposite. */
-void net_value(struct pair *out, const struct net *net, const struct twist *twist,
-               int a, int b, int g);
-
-/* The new value at (a,b) by the mask. */
-void net_new_value(struct pair *out, const struct net *net,
-                   const struct block *block, int a, int b);
+/* The net after one subdivision, on the rings 1..rings. */
+struct net net_subdivide(const struct net *old, const struct block *block, int rings);
 
 #endif

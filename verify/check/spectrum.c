@@ -4,294 +4,313 @@
 
 #include "answer.h"
 
-#include <stdlib.h>
-
 enum { INVERSE_BITS = 32, MAX_MAGNITUDE_BITS = 64 };
 
-/* sum += x y */
-static void add_product(interval *sum, const interval *x, const interval *y, int g)
+/* sum + x y */
+static interval add_product(interval sum, interval x, interval y, int g)
 {
-    interval product;
-
-    grid_mul(&product, x, y, g);
-    interval_add(sum, sum, &product);
+    integer_count_work(0, 0);
+    if (interval_is_zero(x) || interval_is_zero(y))
+        return sum;
+    return interval_add(sum, grid_mul(x, y, g));
 }
 
 /* The eigenpair
- * ------------- */
-
-/* What the Krawczyk step works on; unknowns are counted from 0. */
+ * -------------
+ *
+ * What the Krawczyk step works on; unknowns are counted from 0.  In the complex form
+ * a vector has its real parts, then its imaginary parts. */
 struct krawczyk {
-    int g, n, pivot;
-    const interval *b;                             /* n x n */
-    interval *x_mid, *x_box;                       /* x~ and X; 1 at the pivot */
-    interval l_mid, l_box;                         /* L~ and X_L */
-    interval *f, *slope, *inverse;                 /* f; G and Y, n x n */
+    int g, n, size, pivot;
+    bool real;
+    const interval *m;                             /* size x size */
+    interval *mid, *box;                           /* x~ and X, fixed ones too */
+    interval l_mid[2], l_box[2];                   /* L~ and X_L: alpha, beta */
+    interval *f, *slope, *inverse;                 /* f; G and Y, size x size */
 };
 
-static void set_box(interval *mid, interval *box, const integer *centre,
-                    const integer *radius)
+static interval box_round(integer centre, integer radius)
 {
-    interval_set_thin(mid, centre);
-    integer_sub(&box->lo, centre, radius);
-    integer_add(&box->hi, centre, radius);
+    return interval_of(integer_sub(centre, radius), integer_add(centre, radius));
+}
+
+static bool is_fixed(const struct krawczyk *s, int i)
+{
+    return i == s->pivot || (!s->real && i == s->pivot + s->n);
+}
+
+/* (J x)_i: J (Re, Im) = (-Im, Re) */
+static interval turned(const struct krawczyk *s, const interval *x, int i)
+{
+    return i < s->n ? interval_minus(x[i + s->n]) : x[i - s->n];
 }
 
 static void read_choices(struct krawczyk *s, const struct certificate *c)
 {
-    int n = s->n;
+    size_t size = (size_t)s->size;
 
-    s->pivot = c->pivot - 1;
-    s->x_mid = allocate((size_t)n, sizeof s->x_mid[0]);
-    s->x_box = allocate((size_t)n, sizeof s->x_box[0]);
-    s->f = allocate((size_t)n, sizeof s->f[0]);
-    s->slope = allocate((size_t)(n * n), sizeof s->slope[0]);
-    s->inverse = allocate((size_t)(n * n), sizeof s->inverse[0]);
+    s->mid = allocate(size, sizeof s->mid[0]);
+    s->box = allocate(size, sizeof s->box[0]);
+    s->f = allocate(size, sizeof s->f[0]);
+    s->slope = allocate(size * size, sizeof s->slope[0]);
+    s->inverse = allocate(size * size, sizeof s->inverse[0]);
 
-    set_box(&s->l_mid, &s->l_box, &c->eigenvalue, &c->radius);
-    for (int i = 0, other = 0; i < n; i++) {
-        if (i == s->pivot) {
-            grid_set_small(&s->x_mid[i], 1, s->g);
-            grid_set_small(&s->x_box[i], 1, s->g);
+    for (int i = 0; i < 2; i++) {
+        s->l_mid[i] = interval_thin(c->eigenvalue[i]);
+        s->l_box[i] = box_round(c->eigenvalue[i], c->radius);
+    }
+    for (int i = 0, other = 0; i < s->size; i++) {
+        if (is_fixed(s, i)) {
+            s->mid[i] = s->box[i] = grid_from(i == s->pivot ? 1 : 0, s->g);
         } else {
-            set_box(&s->x_mid[i], &s->x_box[i], &c->eigenvector[other++],
-                    &c->radius);
+            s->mid[i] = interval_thin(c->eigenvector[other]);
+            s->box[i] = box_round(c->eigenvector[other++], c->radius);
         }
     }
-    for (int i = 0; i < n * n; i++) {              /* exact, since g >= 64 */
-        integer y;
-
-        integer_shift_left(&y, &c->inverse[i], s->g - INVERSE_BITS);
-        interval_set_thin(&s->inverse[i], &y);
-    }
+    for (size_t i = 0; i < size * size; i++)       /* exact, since g >= 64 */
+        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i],
+                                                         s->g - INVERSE_BITS));
 }
 
-/* f = B x~ - L~ x~ */
+/* f = M x~ - L~ x~ */
 static void compute_residual(struct krawczyk *s)
 {
-    for (int i = 0; i < s->n; i++) {
-        interval sum, right;
+    for (int i = 0; i < s->size; i++) {
+        struct mark mark = scratch_mark();
+        interval sum = grid_from(0, s->g);
 
-        grid_set_small(&sum, 0, s->g);
-        for (int j = 0; j < s->n; j++)
-            add_product(&sum, &s->b[i * s->n + j], &s->x_mid[j], s->g);
-        grid_mul(&right, &s->l_mid, &s->x_mid[i], s->g);
-        interval_sub(&s->f[i], &sum, &right);
+        for (int j = 0; j < s->size; j++)
+            sum = add_product(sum, s->m[i * s->size + j], s->mid[j], s->g);
+        sum = interval_sub(sum, grid_mul(s->l_mid[0], s->mid[i], s->g));
+        if (!s->real)
+            sum = interval_sub(sum, grid_mul(s->l_mid[1], turned(s, s->mid, i), s->g));
+        interval_keep(mark, &sum, 1);
+        s->f[i] = sum;
     }
 }
 
-/* G: columns for the unknowns other than the pivot, then one for L. */
+/* G: columns for the unknowns x_j, then for L. */
 static void compute_slope(struct krawczyk *s)
 {
-    int n = s->n;
+    for (int i = 0; i < s->size; i++) {
+        interval *out = &s->slope[i * s->size];
 
-    for (int i = 0; i < n; i++) {
-        int l = 0;
+        for (int j = 0; j < s->size; j++) {
+            interval entry = s->m[i * s->size + j];
 
-        for (int j = 0; j < n; j++) {
-            if (j == s->pivot)
+            if (is_fixed(s, j))
                 continue;
             if (i == j)
-                interval_sub(&s->slope[i * n + l], &s->b[i * n + j], &s->l_box);
-            else
-                interval_set(&s->slope[i * n + l], &s->b[i * n + j]);
-            l++;
+                entry = interval_sub(entry, s->l_box[0]);
+            if (!s->real && i == j + s->n)         /* J e_j = e_i */
+                entry = interval_sub(entry, s->l_box[1]);
+            if (!s->real && i == j - s->n)         /* J e_j = -e_i */
+                entry = interval_add(entry, s->l_box[1]);
+            *out++ = entry;
         }
-        interval_minus(&s->slope[i * n + n - 1], &s->x_box[i]);
+        *out++ = interval_minus(s->box[i]);
+        if (!s->real)
+            *out = interval_minus(turned(s, s->box, i));
     }
 }
 
 /* K_i = - sum_l Y_il f_l + sum_l (delta_il - sum_q Y_iq G_ql) [-rho, rho] */
-static void compute_image(interval *out, const struct krawczyk *s, int i,
-                          const interval *box)
+static interval compute_image(const struct krawczyk *s, int i, interval box)
 {
-    int n = s->n;
-    interval sum, delta;
+    int size = s->size;
+    const interval *y = &s->inverse[i * size];
+    interval out = grid_from(0, s->g);
 
-    grid_set_small(&sum, 0, s->g);
-    for (int l = 0; l < n; l++)
-        add_product(&sum, &s->inverse[i * n + l], &s->f[l], s->g);
-    interval_minus(out, &sum);
+    for (int l = 0; l < size; l++)
+        out = add_product(out, y[l], s->f[l], s->g);
+    out = interval_minus(out);
+    for (int l = 0; l < size; l++) {
+        struct mark mark = scratch_mark();
+        interval sum = grid_from(0, s->g);
 
-    for (int l = 0; l < n; l++) {
-        grid_set_small(&sum, 0, s->g);
-        for (int q = 0; q < n; q++)
-            add_product(&sum, &s->inverse[i * n + q], &s->slope[q * n + l], s->g);
-        grid_set_small(&delta, i == l ? 1 : 0, s->g);
-        interval_sub(&sum, &delta, &sum);
-        add_product(out, &sum, box, s->g);
+        for (int q = 0; q < size; q++)
+            sum = add_product(sum, y[q], s->slope[q * size + l], s->g);
+        sum = interval_sub(grid_from(i == l ? 1 : 0, s->g), sum);
+        out = interval_add(out, grid_mul(sum, box, s->g));
+        interval_keep(mark, &out, 1);
     }
+    return out;
 }
 
-void spectrum_prove_eigenpair(struct eigenpair *out, const struct block *block,
-                              const interval *matrix,
-                              const struct certificate *c)
+static void prove_inclusion(const struct krawczyk *s, const struct certificate *c)
 {
-    struct krawczyk *s = allocate(1, sizeof *s);
-    interval box, image, one;
+    interval box = interval_of(integer_negate(c->radius), c->radius);
 
-    s->g = block->g;
-    s->n = block->n;
-    s->b = matrix;
-    if (c->radius.sign <= 0)
-        rejected(c->file, c->line_of.radius, "radius: it is not positive");
-    if (c->pivot < 1 || c->pivot > s->n)
-        rejected(c->file, c->line_of.pivot,
-                 "pivot: it is not the index of one of the %d unknowns", s->n);
-    read_choices(s, c);
-    compute_residual(s);
-    compute_slope(s);
+    for (int i = 0; i < s->size; i++) {
+        struct mark mark = scratch_mark();
+        interval image = compute_image(s, i, box);
 
-    integer_negate(&box.lo, &c->radius);
-    integer_set(&box.hi, &c->radius);
-    for (int i = 0; i < s->n; i++) {
-        compute_image(&image, s, i, &box);
-        if (integer_compare(&image.lo, &box.lo) <= 0 ||
-            integer_compare(&image.hi, &box.hi) >= 0)
+        if (integer_compare(image.lo, box.lo) <= 0 ||
+            integer_compare(image.hi, box.hi) >= 0)
             rejected(c->file, c->line_of.radius,
                      "radius: the Krawczyk operator does not map the box into "
                      "its interior (component %d)", i + 1);
+        scratch_release(mark);
     }
+}
 
-    grid_set_small(&one, 1, s->g);
-    if (s->l_box.lo.sign <= 0 || integer_compare(&s->l_box.hi, &one.lo) >= 0)
-        rejected(c->file, c->line_of.eigenvalue,
-                 "eigenvalue: its interval is not inside (0,1)");
-    out->unknowns = s->x_box;
-    interval_set(&out->eigenvalue, &s->l_box);
-    free(s->x_mid);
-    free(s->f);
-    free(s->slope);
-    free(s->inverse);
-    free(s);
+/* ceil(1 / a) in units of 2^-g: 2^g / (a 2^-g). */
+static interval inverse_upper(integer a, int g)
+{
+    return interval_thin(integer_divide_ceil(
+        integer_shift_left(integer_from(1), 2L * g), a));
+}
+
+/* 0 < |L| < 1; returns s. */
+static interval prove_size(const struct krawczyk *s, const struct certificate *c)
+{
+    interval one = grid_from(1, s->g), q, ell;
+
+    if (s->real) {
+        if (s->l_box[0].lo.sign <= 0 || integer_compare(s->l_box[0].hi, one.lo) >= 0)
+            rejected(c->file, c->line_of.eigenvalue,
+                     "eigenvalue: its interval is not inside (0,1)");
+        return inverse_upper(s->l_box[0].lo, s->g);
+    }
+    ell = interval_thin(c->modulus);
+    q = interval_add(grid_mul(s->l_box[0], s->l_box[0], s->g),
+                     grid_mul(s->l_box[1], s->l_box[1], s->g));
+    if (!interval_is_positive(ell) ||
+        !interval_is_positive(interval_sub(q, grid_mul(ell, ell, s->g))))
+        rejected(c->file, c->line_of.modulus,
+                 "modulus: it is not positive, or not proved to be smaller than |L|");
+    if (integer_compare(q.hi, one.lo) >= 0)
+        rejected(c->file, c->line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
+                 "smaller than 1");
+    return inverse_upper(c->modulus, s->g);
+}
+
+struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
+                                          const struct certificate *c)
+{
+    struct krawczyk s = { .g = g, .n = c->n, .size = c->size, .pivot = c->pivot - 1,
+                          .real = c->real, .m = matrix };
+    struct eigenpair out;
+
+    if (c->radius.sign <= 0)
+        rejected(c->file, c->line_of.radius, "radius: it is not positive");
+    if (c->pivot < 1 || c->pivot > s.n)
+        rejected(c->file, c->line_of.pivot,
+                 "pivot: it is not the index of one of the %d unknowns", s.n);
+    read_choices(&s, c);
+    compute_residual(&s);
+    compute_slope(&s);
+    prove_inclusion(&s, c);
+    out.s = prove_size(&s, c);
+    out.unknowns = s.box;
+    out.real = s.l_box[0];
+    out.imaginary = s.real ? grid_from(0, g) : s.l_box[1];
+    return out;
 }
 
 /* The rest
  * -------- */
 
-/* B': what is left of the block beside its known eigenvalue, if it has one.
- * size: in n, out that of B'. */
-static interval *deflate(int *size, const struct block *block,
-                         const interval *b, const struct eigenpair *pair, int pivot)
+/* M' s, where M' is what is left of the block beside its known eigenvalue.  size: in
+ * that of M, out that of M'. */
+static interval *deflate(int *size, const interval *m, int g, const struct eigenpair *pair,
+                         const struct block_record *record, const struct certificate *c)
 {
-    int m = block->twist.m, n = block->n, rows = 0;
-    interval *out = allocate((size_t)(n * n), sizeof out[0]);
-    interval product;
+    bool complex = record->first == 1 && !c->real;
+    int full = *size, pivot = record->first == 0 ? 0 : c->pivot - 1;
+    interval *out = allocate((size_t)full * (size_t)full, sizeof out[0]), *next = out;
 
-    if (m >= 2) {
-        for (int i = 0; i < n * n; i++)
-            interval_set(&out[i], &b[i]);
-        return out;
-    }
-    *size = n - 1;
-    for (int i = 0; i < n; i++) {
-        int columns = 0;
+    if (record->first <= 1)
+        *size = full - (complex ? 2 : 1);
+    for (int i = 0; i < full; i++) {
+        for (int j = 0; j < full; j++) {
+            interval entry = m[i * full + j];
 
-        if (i == pivot)
-            continue;
-        for (int j = 0; j < n; j++) {
-            if (j == pivot)
+            if (record->first <= 1 && (i == pivot || j == pivot))
                 continue;
-            if (m == 0)                            /* X_i = 1 */
-                interval_set(&product, &b[pivot * n + j]);
-            else
-                grid_mul(&product, &pair->unknowns[i], &b[pivot * n + j], block->g);
-            interval_sub(&out[rows * *size + columns], &b[i * n + j], &product);
-            columns++;
+            if (complex && (i == pivot + c->n || j == pivot + c->n))
+                continue;
+            if (record->first == 0) {              /* X_i = 1 */
+                entry = interval_sub(entry, m[pivot * full + j]);
+            } else if (record->first == 1) {
+                entry = interval_sub(entry, grid_mul(pair->unknowns[i],
+                                                     m[pivot * full + j], g));
+            }
+            if (complex) {                         /* minus (J X)_i M_(p+n)j */
+                interval jx = i < c->n ? interval_minus(pair->unknowns[i + c->n])
+                                       : pair->unknowns[i - c->n];
+
+                entry = interval_sub(entry, grid_mul(jx, m[(pivot + c->n) * full + j], g));
+            }
+            *next++ = grid_mul(entry, pair->s, g);
         }
-        rows++;
     }
     return out;
 }
 
-/* s = ceil(1 / lo) in units of 2^-g: 2^g / (lo 2^-g). */
-static void inverse_upper(interval *out, const interval *eigenvalue, int g)
-{
-    integer square, s;
-
-    integer_set_small(&square, 1);
-    integer_shift_left(&square, &square, 2L * g);
-    integer_divide_ceil(&s, &square, &eigenvalue->lo);
-    interval_set_thin(out, &s);
-}
-
 static bool has_large_entry(const interval *c, int size, int g)
 {
-    integer magnitude;
-
-    for (int i = 0; i < size * size; i++) {
-        interval_magnitude(&magnitude, &c[i]);
-        if (integer_bits(&magnitude) > g + MAX_MAGNITUDE_BITS)
+    for (int i = 0; i < size * size; i++)
+        if (integer_bits(interval_magnitude(c[i])) > g + MAX_MAGNITUDE_BITS)
             return true;
-    }
     return false;
 }
 
-static void multiply(interval *out, const interval *x, const interval *y, int size,
-                     int g)
+/* c := c c, with the memory back to the mark but for the result. */
+static void square(interval *c, interval *result, int size, int g, struct mark mark)
 {
     for (int i = 0; i < size; i++) {
         for (int j = 0; j < size; j++) {
-            interval *sum = &out[i * size + j];
+            struct mark entry = scratch_mark();
+            interval sum = grid_from(0, g);
 
-            grid_set_small(sum, 0, g);
             for (int l = 0; l < size; l++)
-                add_product(sum, &x[i * size + l], &y[l * size + j], g);
+                sum = add_product(sum, c[i * size + l], c[l * size + j], g);
+            interval_keep(entry, &sum, 1);
+            result[i * size + j] = sum;
         }
     }
+    interval_keep(mark, result, (size_t)size * (size_t)size);
+    for (int i = 0; i < size * size; i++)
+        c[i] = result[i];
 }
 
 /* Is the sum of magnitudes of each row < 1? */
 static bool has_small_rows(const interval *c, int size, int g)
 {
-    interval one;
-
-    grid_set_small(&one, 1, g);
     for (int i = 0; i < size; i++) {
-        integer sum, magnitude;
+        integer sum = integer_from(0);
 
-        integer_set_small(&sum, 0);
-        for (int j = 0; j < size; j++) {
-            interval_magnitude(&magnitude, &c[i * size + j]);
-            integer_add(&sum, &sum, &magnitude);
-        }
-        if (integer_compare(&sum, &one.lo) >= 0)
+        for (int j = 0; j < size; j++)
+            sum = integer_add(sum, interval_magnitude(c[i * size + j]));
+        if (integer_compare(sum, grid_from(1, g).lo) >= 0)
             return false;
     }
     return true;
 }
 
-void spectrum_prove_rest(const struct block *block, const interval *matrix,
+void spectrum_prove_rest(const interval *matrix, int size, int g,
                          const struct eigenpair *pair,
+                         const struct block_record *record,
                          const struct certificate *certificate)
 {
-    int g = block->g, size = block->n, m = block->twist.m;
-    int pivot = m == 0 ? 0 : certificate->pivot - 1;
-    int line = certificate->line_of.power;
-    interval *c = deflate(&size, block, matrix, pair, pivot);
-    interval *square = allocate((size_t)(size * size), sizeof square[0]);
-    interval s;
+    const char *name = certificate->version == 0 ? "power" : "block";
+    interval *c, *work = allocate((size_t)size * (size_t)size, sizeof work[0]);
+    struct mark mark;
 
-    inverse_upper(&s, &pair->eigenvalue, g);
-    for (int i = 0; i < size * size; i++)
-        grid_mul(&c[i], &c[i], &s, g);
+    c = deflate(&size, matrix, g, pair, record, certificate);
+    mark = scratch_mark();
     for (int step = 0; ; step++) {
         if (has_large_entry(c, size, g))
-            rejected(certificate->file, line,
-                     "power: an entry of block %d reaches 2^64", m);
-        if (step == certificate->power[m])
+            rejected(certificate->file, record->line,
+                     "%s: an entry of block %lld reaches 2^64", name,
+                     (long long)record->first);
+        if (step == record->power)
             break;
-        multiply(square, c, c, size, g);
-
-        interval *swap = c;
-
-        c = square;
-        square = swap;
+        square(c, work, size, g, mark);
     }
     if (!has_small_rows(c, size, g))
-        rejected(certificate->file, line,
-                 "power: the other eigenvalues of block %d are not proved to be "
-                 "smaller than L", m);
-    free(c);
-    free(square);
+        rejected(certificate->file, record->line,
+                 "%s: the other eigenvalues of block %lld are not proved to be "
+                 "smaller than L", name, (long long)record->first);
 }

@@ -3,9 +3,9 @@
 #include "text.h"
 
 #include "answer.h"
+#include "scratch.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { MAX_LINE = 1000 };
@@ -29,7 +29,6 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
         char *larger = allocate(2 * capacity, 1);
 
         memcpy(larger, text, used);
-        free(text);
         text = larger;
         capacity *= 2;
     }
@@ -137,12 +136,19 @@ static bool next_line(struct cursor *out, struct statements *s)
     return true;
 }
 
-void statements_next(struct cursor *out, struct statements *s,
-                     const char *expected)
+bool statements_more(struct cursor *out, struct statements *s)
 {
     while (next_line(out, s))
         if (!cursor_at_end(out))
-            return;
+            return true;
+    return false;
+}
+
+void statements_next(struct cursor *out, struct statements *s,
+                     const char *expected)
+{
+    if (statements_more(out, s))
+        return;
     cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file",
                     expected);
 }
@@ -158,7 +164,7 @@ void statements_end(struct statements *s)
 /* Tokens
  * ------ */
 
-_Noreturn void cursor_error(const struct cursor *c, const char *message)
+noreturn void cursor_error(const struct cursor *c, const char *message)
 {
     struct cursor here = *c;
 
@@ -194,16 +200,40 @@ bool cursor_accept(struct cursor *c, char token)
     return true;
 }
 
+/* The length of the word at the cursor. */
+static size_t word_length(const struct cursor *c)
+{
+    size_t length = 0;
+
+    if (c->at == c->end || !is_lower(*c->at))
+        return 0;
+    while (c->at + length < c->end && (is_lower(c->at[length]) ||
+                                       is_digit(c->at[length]) || c->at[length] == '_'))
+        length++;
+    return length;
+}
+
 bool cursor_accept_word(struct cursor *c, const char *word)
 {
     size_t length = strlen(word);
-    size_t found = 0;
 
     cursor_skip_blanks(c);
-    while (c->at + found < c->end && is_lower(c->at[found]))
-        found++;
-    if (found != length || memcmp(c->at, word, length) != 0)
+    if (word_length(c) != length || memcmp(c->at, word, length) != 0)
         return false;
+    c->at += length;
+    return true;
+}
+
+bool cursor_read_word(char *out, int limit, struct cursor *c)
+{
+    size_t length;
+
+    cursor_skip_blanks(c);
+    length = word_length(c);
+    if (length == 0 || length > (size_t)limit)
+        return false;
+    memcpy(out, c->at, length);
+    out[length] = '\0';
     c->at += length;
     return true;
 }
@@ -213,33 +243,15 @@ bool cursor_at_digit(const struct cursor *c)
     return c->at < c->end && is_digit(*c->at);
 }
 
-/* INT: an optional `-` and one or two digits. */
-static int read_int(struct cursor *c)
+int cursor_read_whole(struct cursor *c, int digits)
 {
     bool negative = cursor_accept(c, '-');
-    int value = 0;
-    int digits = 0;
+    int value = 0, count = 0;
 
-    while (cursor_at_digit(c) && digits < 3) {
+    for (; cursor_at_digit(c) && count <= digits; c->at++, count++)
         value = 10 * value + (*c->at - '0');
-        c->at++;
-        digits++;
-    }
-    if (digits < 1 || digits > 2)
-        cursor_error(c, "expected an integer of one or two digits");
+    if (count < 1 || count > digits)
+        cursor_error(c, digits == 2 ? "expected an integer of one or two digits"
+                                    : "expected an integer of one to three digits");
     return negative ? -value : value;
-}
-
-void cursor_read_point(int *a, int *b, struct cursor *c)
-{
-    if (!cursor_accept(c, '('))
-        cursor_error(c, "expected a point, like (1,0)");
-    cursor_skip_blanks(c);
-    *a = read_int(c);
-    if (!cursor_accept(c, ','))
-        cursor_error(c, "expected `,`");
-    cursor_skip_blanks(c);
-    *b = read_int(c);
-    if (!cursor_accept(c, ')'))
-        cursor_error(c, "expected `)`");
 }

@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdnoreturn.h>
 
 /* The bytes of the file `name`, and a 0 behind them.  A file that cannot be
  * read or has more than `limit` bytes: cannot check. */
@@ -40,27 +41,35 @@ struct statements {
 void statements_next(struct cursor *out, struct statements *s,
                      const char *expected);
 
+/* The same, but false at the end of the file. */
+bool statements_more(struct cursor *out, struct statements *s);
+
 /* Anything more but comments and blanks: cannot check. */
 void statements_end(struct statements *s);
 
 /* "cannot check: FILE:LINE:COLUMN: ...", the column of the next token. */
-_Noreturn void cursor_error(const struct cursor *c, const char *message);
+noreturn void cursor_error(const struct cursor *c, const char *message);
 
 void cursor_skip_blanks(struct cursor *c);
 
-/* Is the line used up? */
+/* Is the line used up?  If not (expect): cannot check. */
 bool cursor_at_end(struct cursor *c);
 void cursor_expect_end(struct cursor *c);
 
 /* If the next token is this character: step over it. */
 bool cursor_accept(struct cursor *c, char token);
 
-/* If the next token (of lower-case letters) is this word: step over it. */
+/* If the next token is this word: step over it.  Words are lower-case letters,
+ * behind the first also digits and `_`. */
 bool cursor_accept_word(struct cursor *c, const char *word);
+
+/* The word at the cursor, of at most `limit` characters, into out[0..limit];
+ * false if there is none. */
+bool cursor_read_word(char *out, int limit, struct cursor *c);
 
 bool cursor_at_digit(const struct cursor *c);
 
-/* "(a,b)" */
-void cursor_read_point(int *a, int *b, struct cursor *c);
+/* An optional `-` and 1 to `digits` digits, without blanks. */
+int cursor_read_whole(struct cursor *c, int digits);
 
 #endif

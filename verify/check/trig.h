@@ -12,11 +12,11 @@
 
 /* cos(pi q) or sin(pi q), if it is a rational number; else false.  (By Niven's
  * theorem the rational ones are 0, 1/2, -1/2, 1, -1.) */
-bool rational_cos_pi(rational *out, const rational *q);
-bool rational_sin_pi(rational *out, const rational *q);
+bool rational_cos_pi(rational *out, rational q);
+bool rational_sin_pi(rational *out, rational q);
 
-void grid_pi(interval *out, int g);
-void grid_cos_pi(interval *out, const rational *q, int g);
-void grid_sin_pi(interval *out, const rational *q, int g);
+interval grid_pi(int g);
+interval grid_cos_pi(rational q, int g);
+interval grid_sin_pi(rational q, int g);
 
 #endif

@@ -1,0 +1,80 @@
+#!/bin/sh
+# smoothcert spectrum: small valences in full, large ones by ranges, and what it refuses.
+set -u
+LC_ALL=C
+export LC_ALL
+
+# All of the words must be in what is printed.
+says() { # NAME WORDS ARGUMENT...
+  name=$1 words=$2
+  shift 2
+  if ! "$SMOOTHCERT" spectrum "$@" >printed 2>complaints || [ -s complaints ]; then
+    echo "FAIL spectrum-$name: $(head -n 1 complaints)"
+  elif grep -F -e "$words" printed >found; then
+    echo "PASS spectrum-$name"
+  else
+    echo "FAIL spectrum-$name: expected '$words', found '$(tail -n 3 printed | head -n 1)'"
+  fi
+}
+
+refuses() { # NAME WORDS ARGUMENT...
+  name=$1 words=$2
+  shift 2
+  "$SMOOTHCERT" spectrum "$@" >printed 2>complaints
+  status=$?
+  if [ "$status" -eq 64 ] && [ ! -s printed ] && grep -F -e "$words" complaints >found; then
+    echo "PASS spectrum-$name"
+  else
+    echo "FAIL spectrum-$name: status $status, $(head -n 1 complaints)"
+  fi
+}
+
+# The same line of both, however the blocks are treated.
+agrees() { # NAME PATTERN ARGUMENT...
+  name=$1 pattern=$2
+  shift 2
+  "$SMOOTHCERT" spectrum "$@" | grep "$pattern" >short
+  "$SMOOTHCERT" spectrum "$@" --blocks all | grep "$pattern" >long
+  if [ -s short ] && cmp -s short long; then
+    echo "PASS spectrum-$name"
+  else
+    echo "FAIL spectrum-$name: '$(cat short)' is not '$(cat long)'"
+  fi
+}
+
+says small 'dominant: L = 0.530872450464' loop --valence 7
+says small-blocks 'block 3' loop --valence 7
+says small-tie 'no eigenvalue but 1 is certainly larger' butterfly --valence 3
+says small-frequency 'in block 2, simple' butterfly --valence 8
+says valence-100 'block 49' loop --valence 100
+says valence-101 'blocks 4 to' loop --valence 101
+says json '"ranges":[{"first":4,' loop --valence 1000 --json
+says json-small '"ranges":[],"dominant":' loop --valence 7 --json
+
+for scheme in loop butterfly catmull-clark modified-butterfly loop-spiral doo-sabin; do
+  agrees "all-blocks-$scheme" '^dominant' $scheme --valence 157
+done
+
+# Neighbouring blocks agree to more digits than doubles have.
+for k in 1000000000 1000000000000000; do
+  says "loop-$k" 'dominant: L = 0.62500000' loop --valence $k
+  says "loop-doubles-$k" 'double intervals' loop --valence $k
+  says "catmull-clark-$k" 'in block 1, simple' catmull-clark --valence $k
+  says "modified-butterfly-$k" 'runner-up: mu < 0.250000001' modified-butterfly --valence $k
+done
+says modified-loop 'dominant: L = 0.5000' modified-loop --valence 1000000000
+says complex 'modulus > 0.53851648 in block 1, simple' loop-spiral --valence 1000000000
+says balls 'balls of 256 bits' loop --valence 1000000000 --precision 256
+says balls-dominant 'in block 1, simple' loop --valence 1000000000 --precision 256
+# The largest is in the middle: near k / 5.19.
+says interior 'in block 193, simple' butterfly --valence 1000
+says interior-large 'in block 1927494, simple' butterfly --valence 10000000
+# Block 0 has the largest.
+says block-0 'in block 0, simple' loop-ring --valence 1000000 --set z=3/4
+
+refuses valence-2 'expected one valence from 3 to 1000000000000000' loop --valence 2
+refuses valence-large 'expected one valence from 3 to 1000000000000000' loop --valence 1000000000000001
+refuses blocks "expected 'all'" loop --valence 7 --blocks some
+refuses blocks-large 'up to valence 100000 only' loop --valence 100001 --blocks all
+refuses no-valence 'no valence given' loop
+exit 0

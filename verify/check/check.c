@@ -1,0 +1,314 @@
+/* The check of a certificate, in the order of certificate.md. */
+
+#include "check.h"
+
+#include "answer.h"
+#include "certificate.h"
+#include "characteristic.h"
+#include "decide.h"
+#include "regular.h"
+#include "spectrum.h"
+#include "stability.h"
+#include "text.h"
+
+#include <string.h>
+
+enum { MAX_SCHEME_BYTES = 65536, MAX_CERTIFICATE_BYTES = 1 << 26 };
+
+/* What has been proved of q_i, or of the pair (d,d') number i: the last choices that
+ * did. */
+struct proved {
+    int contraction[3];
+    int stability_power[3];
+    int64_t stability[3];
+};
+
+struct statement {
+    const char *file;
+    char *text, *canonical;
+    size_t text_size, canonical_size;
+    struct setting *settings;
+    int setting_count;
+
+    bool is_read;                                  /* the scheme, what is below */
+    struct scheme scheme;
+    bool divisible;
+    struct derived_masks derived;
+    struct mask q[3];                              /* a, 2 a_1, 2 a_2 */
+    struct proved proved;
+    struct mark mark;                              /* above all this */
+};
+
+/* Section 3
+ * --------- */
+
+/* The value of a setting as it stands in canonical text. */
+static const char *canonical_value(const char *value, size_t *size)
+{
+    char *out = text_canonical("--set", value, strlen(value), size);
+
+    if (*size < 2 || strchr(value, '#') != NULL || strchr(value, '\n') != NULL)
+        cannot_check("--set: expected a value on one line");
+    (*size)--;                                     /* the LF */
+    return out;
+}
+
+/* Where the value of parameter `name` begins in the canonical text, or NULL. */
+static char *find_parameter(char *text, const char *name)
+{
+    static const char word[] = "parameter ";
+    size_t length = strlen(name);
+
+    for (char *line = text; line != NULL && *line != '\0'; ) {
+        char *at = line + strlen(word);
+
+        if (strncmp(line, word, strlen(word)) == 0 && strncmp(at, name, length) == 0) {
+            at += length;
+            at += *at == ' ' ? 1 : 0;
+            if (*at == '=')
+                return at[1] == ' ' ? at + 2 : at + 1;
+        }
+        line = strchr(line, '\n');
+        line = line == NULL ? NULL : line + 1;
+    }
+    return NULL;
+}
+
+/* Settings without a parameter are complained of when the scheme is read. */
+static void apply_setting(struct statement *s, const struct setting *setting)
+{
+    char *from = find_parameter(s->canonical, setting->name), *to, *out;
+    size_t size, before, behind;
+    const char *value;
+
+    if (from == NULL)
+        return;
+    value = canonical_value(setting->value, &size);
+    to = strchr(from, '\n');
+    before = (size_t)(from - s->canonical);
+    behind = s->canonical_size - (size_t)(to - s->canonical);
+    out = allocate(before + size + behind + 1, 1);
+    memcpy(out, s->canonical, before);
+    memcpy(out + before, value, size);
+    memcpy(out + before + size, to, behind);
+    s->canonical = out;
+    s->canonical_size = before + size + behind;
+}
+
+struct statement *statement_new(const char *scheme_file, struct setting *settings,
+                                int setting_count)
+{
+    struct statement *out = allocate(1, sizeof *out);
+
+    out->file = scheme_file;
+    out->settings = settings;
+    out->setting_count = setting_count;
+    return out;
+}
+
+const char *statement_scheme_name(const struct statement *s)
+{
+    return s->scheme.name;
+}
+
+static void compare_subject(const struct certificate *c, const struct statement *s,
+                            int64_t k)
+{
+    size_t same = 0;
+    int line = c->line_of.scheme + 1;
+
+    while (same < s->canonical_size && same < c->scheme_size &&
+           s->canonical[same] == c->scheme_text[same]) {
+        if (s->canonical[same] == '\n')
+            line++;
+        same++;
+    }
+    if (same < s->canonical_size || same < c->scheme_size)
+        rejected(c->file, line, "scheme: expected the text of the given scheme");
+    if (!c->claims_c1)
+        rejected(c->file, c->line_of.claim, "claim: expected c1");
+    if (c->valence != k)
+        rejected(c->file, c->line_of.valence, "valence: expected %lld", (long long)k);
+}
+
+static void read_statement(struct statement *s)
+{
+    s->text = text_read_file(s->file, MAX_SCHEME_BYTES, &s->text_size);
+    s->canonical = text_canonical(s->file, s->text, s->text_size, &s->canonical_size);
+    for (int i = 0; i < s->setting_count; i++)
+        apply_setting(s, &s->settings[i]);
+}
+
+static void read_scheme(struct statement *s)
+{
+    scheme_read(&s->scheme, s->file, s->text, s->text_size, s->settings,
+                s->setting_count);
+    s->divisible = regular_derive(&s->derived, &s->scheme.mask, s->scheme.mesh);
+    if (s->divisible) {
+        s->q[0] = s->scheme.mask;
+        s->q[1] = mask_double(&s->derived.first[0]);
+        s->q[2] = mask_double(&s->derived.first[1]);
+    }
+    s->is_read = true;
+}
+
+/* Section 4
+ * --------- */
+
+static void check_contraction(struct statement *s, const struct certificate *c)
+{
+    int line = c->line_of.contraction;
+
+    if (!s->divisible)
+        rejected(c->file, line, "contraction: the mask's symbol is not divisible "
+                 "by the factors that differences need");
+    for (int i = 0; i < 3; i++) {
+        struct mark mark = scratch_mark();
+
+        if (s->proved.contraction[i] == c->contraction[i])
+            continue;
+        if (!regular_contracts(&s->derived.second[i], c->contraction[i]))
+            rejected(c->file, line, "contraction: power %d of 2 %s has a norm of at "
+                     "least 1", c->contraction[i], regular_pair_name(s->scheme.mesh, i));
+        s->proved.contraction[i] = c->contraction[i];
+        scratch_release(mark);
+    }
+}
+
+static void check_stability(struct statement *s, const struct certificate *c)
+{
+    int line = c->line_of.stability;
+    bool mirrored = mask_is_mirrored(&s->scheme.mask);
+
+    if (mirrored && (c->stability_power[2] != c->stability_power[1] ||
+                     c->stability[2] != c->stability[1]))
+        rejected(c->file, line, "stability: expected the same for both derivatives");
+    for (int i = 0; i < (mirrored ? 2 : 3); i++) {
+        int n = c->stability_power[i];
+        int64_t t = c->stability[i];
+
+        if (mask_is_nonnegative(&s->q[i])) {
+            if (n != 0 || t != 1024)
+                rejected(c->file, line, "stability: expected 0 1024 for q_%d", i);
+            continue;
+        }
+        if (s->proved.stability_power[i] == n && s->proved.stability[i] == t)
+            continue;
+        if (n < 1 || t <= 1024 || !stability_holds(&s->q[i], n, t))
+            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d",
+                     (long long)t, i);
+        s->proved.stability_power[i] = n;
+        s->proved.stability[i] = t;
+    }
+}
+
+/* Version 0 knows only K = 1. */
+static void check_nonnegative(const struct statement *s, const struct certificate *c)
+{
+    for (int i = 0; i < 3; i++)
+        if (!mask_is_nonnegative(&s->q[i]))
+            rejected(c->file, c->line_of.regularity, "regularity: version 0 needs "
+                     "non-negative masks for values and derivatives");
+}
+
+/* Sections 5 and 6
+ * ---------------- */
+
+/* block: that of m = 1. */
+static struct eigenpair check_spectrum(const struct block *block,
+                                       const struct certificate *c)
+{
+    interval *matrix = block_matrix(block);
+    struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
+
+    spectrum_prove_rest(matrix, block->size, c->grid, &pair, &c->block[1], c);
+    for (int i = 0; i < c->blocks; i++) {
+        struct mark mark = scratch_mark();
+        struct valence v = *block->v;
+        struct block other;
+
+        if (i == 1)
+            continue;
+        v.reference.line = c->block[i].line;
+        block_prepare(&other, &v, c->real, c->block[i].first, c->block[i].last);
+        matrix = block_matrix(&other);
+        spectrum_prove_rest(matrix, other.size, c->grid, &pair, &c->block[i], c);
+        scratch_release(mark);
+    }
+    return pair;
+}
+
+/* All of it
+ * --------- */
+
+/* Bounds of L, or of |L| by its square. */
+static interval eigenvalue_size(const struct eigenpair *pair, bool real, int g)
+{
+    if (real)
+        return pair->real;
+    return grid_root(interval_add(grid_mul(pair->real, pair->real, g),
+                                  grid_mul(pair->imaginary, pair->imaginary, g)), g);
+}
+
+static struct verified check_choices(struct statement *s, struct certificate *c)
+{
+    struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
+    struct valence *v = allocate(1, sizeof *v);
+    struct verified out = { .real = true, .g = c->grid };
+    struct characteristic characteristic;
+    struct eigenpair pair;
+    struct block block;
+
+    valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
+    out.plainly_regular = v->plainly_regular && c->version > 0;
+    certificate_read_form(c, out.plainly_regular);
+    if (out.plainly_regular) {
+        certificate_read_end(c);
+        check_contraction(s, c);
+        return out;
+    }
+    if (c->real && !s->scheme.mirrored)
+        rejected(c->file, c->line_of.form,
+                 "form: the scheme is not evidently mirror-symmetric");
+    block_prepare(&block, v, c->real, 1, 1);
+    certificate_read_choices(c, block.n);
+    certificate_read_end(c);
+
+    check_contraction(s, c);
+    if (c->version > 0)
+        check_stability(s, c);
+    pair = check_spectrum(&block, c);
+    if (c->version == 0)
+        check_nonnegative(s, c);
+    characteristic_prepare(&characteristic, &block, &pair, s->q, c);
+    decide_regularity(&characteristic, c);
+    decide_boundary(&characteristic, c);
+    out.real = c->real;
+    out.eigenvalue = eigenvalue_size(&pair, c->real, c->grid);
+    return out;
+}
+
+struct verified check_certificate(struct statement *s, int64_t k, const char *file)
+{
+    struct certificate *c;
+    size_t size;
+    char *bytes;
+
+    if (s->is_read)
+        scratch_release(s->mark);
+    else
+        read_statement(s);
+    c = allocate(1, sizeof *c);
+    bytes = text_read_file(file, MAX_CERTIFICATE_BYTES, &size);
+    certificate_read_subject(c, file, bytes, size);
+    compare_subject(c, s, k);
+    if (!s->is_read) {
+        read_scheme(s);
+        s->mark = scratch_mark();
+    }
+    if (c->version == 0 && s->scheme.language.beyond_0.message != NULL)
+        cannot_check_at(s->file, s->scheme.language.beyond_0.line,
+                        s->scheme.language.beyond_0.column, "%s",
+                        s->scheme.language.beyond_0.message);
+    return check_choices(s, c);
+}

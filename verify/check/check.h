@@ -1,0 +1,27 @@
+#ifndef CHECK_CHECK_H
+#define CHECK_CHECK_H
+
+/* The check of a certificate: sections 3 to 9 of certificate.md. */
+
+#include "scheme.h"
+
+/* What is claimed: the reader's scheme. */
+struct statement;
+
+struct statement *statement_new(const char *scheme_file, struct setting *settings,
+                                int setting_count);
+
+struct verified {
+    bool plainly_regular, real;
+    interval eigenvalue;                           /* L or |L|, on the grid g */
+    int g;
+};
+
+/* Verifies that the certificate in the file proves the scheme C1 at valence k:
+ * returns only if everything is proved.  What it returns lives until the next call. */
+struct verified check_certificate(struct statement *s, int64_t k, const char *file);
+
+/* The name of the scheme, once a certificate has been checked. */
+const char *statement_scheme_name(const struct statement *s);
+
+#endif

@@ -1,0 +1,147 @@
+/* Formulas evaluated.  Operands live in scratch memory, not on the stack: formulas
+ * nest 64 deep, and definitions are evaluated one by one, before what names them. */
+
+#include "evaluate.h"
+
+#include "answer.h"
+
+static void evaluate_into(struct value *out, const struct node *f,
+                          const struct environment *e);
+
+static struct value *operand(const struct node *f, const struct environment *e)
+{
+    struct value *out = allocate(1, sizeof *out);
+
+    evaluate_into(out, f, e);
+    return out;
+}
+
+/* exact: enclosures leave it unknown. */
+static enum truth decide(const struct node *condition, const struct environment *e,
+                         bool exact)
+{
+    enum truth out = condition->kind == NODE_AND ? YES : NO;
+
+    for (const struct node *c = condition->first; c != NULL; c = c->next) {
+        struct value *a = operand(c->first, e), *b = operand(c->first->next, e);
+        enum truth here = value_compare(a, c->first->next->join, b, e->g);
+
+        if (exact && (a->kind != b->kind || a->kind == ENCLOSURE))
+            here = UNKNOWN;
+        if (here == (condition->kind == NODE_AND ? NO : YES))
+            return here;
+        if (here == UNKNOWN)
+            out = UNKNOWN;
+    }
+    return out;
+}
+
+bool condition_holds(const struct node *condition, const struct environment *e)
+{
+    struct mark mark = scratch_mark();
+    enum truth out = decide(condition, e, true);
+
+    scratch_release(mark);
+    if (out == UNKNOWN)
+        cannot_check_at(e->language->file, condition->line, condition->column,
+                        "this comparison cannot be decided");
+    return out == YES;
+}
+
+/* Sums, products, functions of several arguments: from the left. */
+static void evaluate_chain(struct value *out, const struct node *f,
+                           const struct environment *e)
+{
+    evaluate_into(out, f->first, e);
+    if (f->kind == NODE_SUM && f->first->join == '-')
+        value_negate(out, f);
+    for (const struct node *n = f->first->next; n != NULL; n = n->next) {
+        if (f->kind == NODE_SUM || f->kind == NODE_PRODUCT)
+            value_apply(out, n->join, operand(n, e), n, e->g);
+        else if (f->kind == NODE_POWER)
+            value_power(out, operand(n, e), n->join == '-', f, e->g);
+        else
+            value_function(out, operand(n, e), f, e->g);
+    }
+    if (f->first->next == NULL && f->kind != NODE_SUM)
+        value_function(out, NULL, f, e->g);
+}
+
+static void evaluate_cases(struct value *out, const struct node *f,
+                           const struct environment *e)
+{
+    for (const struct node *n = f->first; n != NULL; n = n->next->next) {
+        enum truth truth = n->next == NULL ? YES : decide(n, e, false);
+
+        if (truth == UNKNOWN) {
+            value_undefine(out, n, "this comparison cannot be decided", true);
+            return;
+        }
+        if (truth == YES) {                        /* no `next`: else */
+            evaluate_into(out, n->next == NULL ? n : n->next, e);
+            return;
+        }
+    }
+    value_undefine(out, f, "no case applies", false);
+}
+
+static void evaluate_into(struct value *out, const struct node *f,
+                          const struct environment *e)
+{
+    struct mark mark = scratch_mark();
+
+    switch (f->kind) {
+    case NODE_NUMBER:
+    case NODE_PI:
+        value_constant(out, f);
+        break;
+    case NODE_K:
+        value_variable(out, e->k, e->k, f);
+        break;
+    case NODE_M:
+        value_variable(out, e->first, e->last, f);
+        break;
+    case NODE_J:
+        value_variable(out, e->j, e->j, f);
+        break;
+    case NODE_NAME:
+        *out = e->definition[f->name];
+        break;
+    case NODE_CASES:
+        evaluate_cases(out, f, e);
+        break;
+    default:
+        evaluate_chain(out, f, e);
+        break;
+    }
+    value_keep(mark, out);
+}
+
+struct value evaluate(const struct node *formula, const struct environment *e)
+{
+    struct value out;
+
+    evaluate_into(&out, formula, e);
+    return out;
+}
+
+struct environment environment_make(const struct language *l, int64_t k, int64_t first,
+                                    int64_t last, int64_t j, int g)
+{
+    struct environment out = { l, k, first, last, j, g, NULL };
+
+    out.definition = allocate((size_t)l->count, sizeof out.definition[0]);
+    for (int i = 0; i < l->count; i++) {
+        const struct definition *d = &l->definition[i];
+
+        if (d->formula != NULL)
+            out.definition[i] = evaluate(d->formula, &out);
+        else if (rational_compare(d->low, d->high) == 0)
+            out.definition[i] = value_from(d->low);
+        else
+            out.definition[i] = value_enclosure(
+                interval_hull(grid_from_rational(d->low, g),
+                              grid_from_rational(d->high, g)));
+    }
+    return out;
+}

@@ -1,0 +1,245 @@
+/* The constants K: lib/stability.md, section 3, in the arithmetic of "Rounded
+ * rows".
+ *
+ * Row x of S^n is kept for the 4^n labels x with coordinates in [0, 2^n); the row of
+ * r + 2^n t is that of r, moved by t.  With all points of the mask in [l, u] (each
+ * coordinate), the row of such an x has entries at y with x - 2^n y in (2^n - 1) [l, u],
+ * so from -max(u, 0) to max(-l, 0).
+ */
+
+#include "stability.h"
+
+#include "answer.h"
+
+#include <stdlib.h>
+
+enum { WEIGHT_BITS = 18, ROW_BITS = 30, UNIT = 1024 };
+
+static const int64_t MAX_SUM = INT64_C(1) << 62;
+static const int64_t MAX_PAIRS = 400000000;        /* about a second */
+
+/* The points of the mask, weights in units of 2^-18 rounded down. */
+struct rounded {
+    int count;
+    int *a, *b;
+    int64_t *weight;
+    int low[3], high[3];                           /* of a, b, a + b */
+    int64_t greatest_sum;                          /* S: of |weight| in a class */
+    int inexact;                                   /* w: most such in a class */
+};
+
+/* All rows of S^n in units of 2^-30. */
+struct rows {
+    int n;
+    int low_a, low_b, side_a, side_b;              /* where their entries are */
+    int64_t *entry;
+    int64_t error, bound;                          /* E, R */
+};
+
+static void add_point(struct rounded *out, int a, int b, int64_t weight)
+{
+    const int f[3] = { a, b, a + b };
+
+    for (int i = 0; i < 3; i++) {
+        if (out->count == 0 || f[i] < out->low[i])
+            out->low[i] = f[i];
+        if (out->count == 0 || f[i] > out->high[i])
+            out->high[i] = f[i];
+    }
+    out->a[out->count] = a;
+    out->b[out->count] = b;
+    out->weight[out->count++] = weight;
+}
+
+static struct rounded round_mask(const struct mask *mask)
+{
+    size_t cells = (size_t)mask->side_a * (size_t)mask->side_b;
+    struct rounded out = { .a = allocate(cells, sizeof out.a[0]),
+                           .b = allocate(cells, sizeof out.b[0]),
+                           .weight = allocate(cells, sizeof out.weight[0]) };
+    int64_t sum[4] = { 0 };
+    int inexact[4] = { 0 };
+
+    for (size_t i = 0; i < cells; i++) {
+        int a = (int)i / mask->side_b + mask->low_a;
+        int b = (int)i % mask->side_b + mask->low_b;
+        int class = abs(a) % 2 * 2 + abs(b) % 2;
+        integer scaled = integer_shift_left(mask->coefficient[i], WEIGHT_BITS);
+        integer whole = integer_divide_floor(scaled, mask->denominator);
+        int64_t weight;
+
+        if (scaled.sign == 0)
+            continue;
+        if (!integer_get_small(&weight, whole, INT64_C(1) << 40))
+            cannot_check("a mask has weights that are too large for its stability");
+        if (integer_compare(integer_mul(whole, mask->denominator), scaled) != 0)
+            inexact[class]++;
+        sum[class] += weight < 0 ? -weight : weight;
+        add_point(&out, a, b, weight);
+    }
+    for (int class = 0; class < 4; class++) {
+        if (sum[class] > out.greatest_sum)
+            out.greatest_sum = sum[class];
+        if (inexact[class] > out.inexact)
+            out.inexact = inexact[class];
+    }
+    return out;
+}
+
+/* Rows
+ * ---- */
+
+static int64_t *row(const struct rows *r, int a, int b)
+{
+    size_t index = ((size_t)a << r->n) + (size_t)b;
+
+    return r->entry + index * (size_t)r->side_a * (size_t)r->side_b;
+}
+
+/* x = r + 2^n t with 0 <= r < 2^n: returns r. */
+static int split(int *t, int x, int n)
+{
+    int r = x & ((1 << n) - 1);
+
+    *t = (x - r) / (1 << n);
+    return r;
+}
+
+static struct rows rows_new(const struct rounded *s, int n)
+{
+    int low_a = s->high[0] > 0 ? -s->high[0] : 0, low_b = s->high[1] > 0 ? -s->high[1] : 0;
+    int high_a = s->low[0] < 0 ? -s->low[0] : 0, high_b = s->low[1] < 0 ? -s->low[1] : 0;
+    struct rows out = { .n = n, .low_a = low_a, .low_b = low_b,
+                        .side_a = high_a - low_a + 1, .side_b = high_b - low_b + 1 };
+
+    out.entry = allocate(((size_t)1 << (2 * n)) * (size_t)out.side_a * (size_t)out.side_b,
+                         sizeof out.entry[0]);
+    return out;
+}
+
+/* The row m of label (a,b) gets + weight times the row of old at (x,y). */
+static void add_row(int64_t *m, const struct rows *new, const struct rows *old, int x,
+                    int y, int64_t weight)
+{
+    int ta, tb, ra = split(&ta, x, old->n), rb = split(&tb, y, old->n);
+    const int64_t *from = row(old, ra, rb);
+
+    for (int i = 0; i < old->side_a; i++) {
+        for (int j = 0; j < old->side_b; j++) {
+            int64_t entry = from[i * old->side_b + j];
+
+            if (entry == 0)
+                continue;
+            if (i + ta < 0 || i + ta >= new->side_a || j + tb < 0 || j + tb >= new->side_b)
+                cannot_check("the checker's rows are too short");
+            m[(i + ta) * new->side_b + j + tb] += weight * entry;
+        }
+    }
+}
+
+/* m(y) = trunc(sum / 2^18); returns whether anything is lost. */
+static bool truncate_row(int64_t *m, int size)
+{
+    const int64_t unit = INT64_C(1) << WEIGHT_BITS;
+    bool lost = false;
+
+    for (int i = 0; i < size; i++) {
+        lost = lost || m[i] % unit != 0;
+        m[i] /= unit;
+    }
+    return lost;
+}
+
+static struct rows next_rows(const struct rows *old, const struct rounded *s)
+{
+    struct rows out = rows_new(s, old->n + 1);
+    int64_t unit = INT64_C(1) << WEIGHT_BITS;
+    bool lost = false;
+
+    if (old->bound > MAX_SUM / 4 / (s->greatest_sum + s->inexact + 1) ||
+        old->error > old->bound)
+        cannot_check("sums beyond 2^62 in the proof of a mask's stability");
+    for (int a = 0; a < 1 << out.n; a++) {
+        for (int b = 0; b < 1 << out.n; b++) {
+            int64_t *m = row(&out, a, b);
+
+            for (int i = 0; i < s->count; i++)
+                if ((a - s->a[i]) % 2 == 0 && (b - s->b[i]) % 2 == 0)
+                    add_row(m, &out, old, (a - s->a[i]) / 2, (b - s->b[i]) / 2,
+                            s->weight[i]);
+            lost = truncate_row(m, out.side_a * out.side_b) || lost;
+        }
+    }
+    out.error = (s->inexact * (old->bound + old->error) + s->greatest_sum * old->error +
+                 unit - 1) / unit;
+    if (lost)
+        out.error += (int64_t)(s->high[0] - s->low[0] + 1) * (s->high[1] - s->low[1] + 1);
+    out.bound = old->bound * s->greatest_sum / unit + 1;
+    return out;
+}
+
+/* Close pairs
+ * ----------- */
+
+static int64_t entry_at(const struct rows *r, const int64_t *m, int i, int j)
+{
+    if (i < 0 || i >= r->side_a || j < 0 || j >= r->side_b)
+        return 0;
+    return m[i * r->side_b + j];
+}
+
+static int64_t magnitude(int64_t a)
+{
+    return a < 0 ? -a : a;
+}
+
+/* Of the labels x and x + (da,db): |m_x - m_x'| and |(1024+T) m_x - (T-1024) m_x'| are
+ * not too large. */
+static bool pair_is_good(const struct rows *r, int a, int b, int da, int db, int64_t t)
+{
+    int ta, tb, ra = split(&ta, a + da, r->n), rb = split(&tb, b + db, r->n);
+    const int64_t *m = row(r, a, b), *other = row(r, ra, rb);
+    int64_t delta = 0, g = 0, limit = INT64_C(1) << ROW_BITS;
+
+    for (int i = ta < 0 ? ta : 0; i < r->side_a + (ta > 0 ? ta : 0); i++) {
+        for (int j = tb < 0 ? tb : 0; j < r->side_b + (tb > 0 ? tb : 0); j++) {
+            int64_t here = entry_at(r, m, i, j);
+            int64_t there = entry_at(r, other, i - ta, j - tb);
+
+            delta += magnitude(here - there);
+            g += magnitude((UNIT + t) * here - (t - UNIT) * there);
+        }
+    }
+    return delta + 2 * r->error < 2 * limit && g + 2 * t * r->error <= 2 * t * limit;
+}
+
+bool stability_holds(const struct mask *mask, int n, int64_t t)
+{
+    struct mark mark = scratch_mark();
+    struct rounded s = round_mask(mask);
+    struct rows r = rows_new(&s, 0);
+    int da_most = s.high[0] - s.low[0] - 1, db_most = s.high[1] - s.low[1] - 1;
+    int sum_most = s.high[2] - s.low[2] - 1;
+    int64_t pairs = (int64_t)(2 * da_most + 1) * (2 * db_most + 1) << (2 * n);
+    bool good = true;
+
+    if (n < 1 || n > 9 || t <= UNIT)
+        cannot_check("the checker verifies no such stability");
+    if (da_most < 0 || db_most < 0 || sum_most < 0)
+        cannot_check("the checker needs a mask that is not on a line");
+    if (pairs * r.side_a * r.side_b > MAX_PAIRS)
+        cannot_check("the proof of a mask's stability is too large");
+    r.entry[-r.low_a * r.side_b - r.low_b] = INT64_C(1) << ROW_BITS;
+    r.bound = INT64_C(1) << ROW_BITS;
+    for (int i = 0; i < n; i++)
+        r = next_rows(&r, &s);
+    if (r.bound > MAX_SUM / 4 / t || r.error > r.bound)
+        cannot_check("sums beyond 2^62 in the proof of a mask's stability");
+    for (int da = -da_most; da <= da_most && good; da++)
+        for (int db = -db_most; db <= db_most && good; db++)
+            for (int a = 0; abs(da + db) <= sum_most && a < 1 << n && good; a++)
+                for (int b = 0; b < 1 << n && good; b++)
+                    good = pair_is_good(&r, a, b, da, db, t);
+    scratch_release(mark);
+    return good;
+}

@@ -1,0 +1,32 @@
+/* deadline.c: the clock, and the one flag that a signal may set. */
+#define _POSIX_C_SOURCE 200809L
+#include "deadline.h"
+
+#include <stddef.h>
+#include <signal.h>
+#include <time.h>
+
+static volatile sig_atomic_t interrupted;
+
+double deadline_now(void)
+{
+    struct timespec t;
+    if (clock_gettime(CLOCK_MONOTONIC, &t) != 0)
+        return 0;
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+bool deadline_passed(const deadline *d)
+{
+    return interrupted || (d && d->at > 0 && deadline_now() >= d->at);
+}
+
+void deadline_interrupt(void)
+{
+    interrupted = 1;
+}
+
+bool deadline_interrupted(void)
+{
+    return interrupted != 0;
+}

@@ -1,0 +1,165 @@
+/* prove_output.c: figures as bounds, sentences as JSON strings. */
+#include "prove_output.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Bounds are printed so that the decimals still are bounds.  Printing moves a number by at most half a unit of the
+   last digit, so it is moved by a little more than that before: for nine places behind the point 0.5e-9 (the
+   excess is far above a rounding error of numbers below 1), for four significant digits of v at most v / 2000. */
+static double round_up(double v)
+{
+    return v + 0.5e-9 * (1 + 1e-3);
+}
+
+static double round_down(double v)
+{
+    return v * (1 - 0.000501);
+}
+
+/* "double intervals", "balls of 128 bits" */
+static void describe_system(char *text, size_t size, const char *system, long precision)
+{
+    if (!strcmp(system, "interval"))
+        snprintf(text, size, "double intervals");
+    else if (!strcmp(system, "ball"))
+        snprintf(text, size, "balls of %ld bits", precision);
+    else
+        snprintf(text, size, "exact arithmetic");
+}
+
+static void print_figures(const decision *d)
+{
+    const findings *f = &d->findings;
+    char others[32] = "|L|";
+    if (f->runner_up < f->eigenvalue_lower)
+        snprintf(others, sizeof others, "%.9f", round_up(f->runner_up));
+    printf("L = %s, others < %s (block %ld), Jacobian > %.4g, ", f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian));
+    if (f->uniform)
+        printf("uniform level %d, %ld elements (adaptive: level %d, %ld elements), ", f->uniform_level, f->uniform_elements, f->level, f->elements);
+    else
+        printf("level %d, %ld elements, ", f->level, f->elements);
+}
+
+void prove_print_line(const char *name, const decision *d, const char *certificate)
+{
+    char system[64];
+    if (d->verdict == VERDICT_PROVED) {
+        printf("proved: %s is C1 at valence %ld; ", name, d->valence);
+        describe_system(system, sizeof system, d->plainly_regular || d->kept_before ? "exact" : d->system, d->precision);
+        if (d->kept_before)
+            printf("by the certificate of an earlier run, followed once more");
+        else if (d->plainly_regular)
+            printf("no rule holds there, and the regular complex is C1; %s", system);
+        else {
+            print_figures(d);
+            printf("%s", system);
+        }
+    } else {
+        const attempt *a = decision_obstacle(d);
+        describe_system(system, sizeof system, a->system, a->precision);
+        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->valence, a->test, a->reason, system);
+    }
+    printf(", %.3g s", d->seconds);
+    if (certificate)
+        printf("; %s", certificate);
+    printf("\n");
+}
+
+/* ---- JSON ---- */
+
+/* Numbers that JSON does not have become null. */
+static void write_number(buffer *b, const char *name, double value)
+{
+    if (isfinite(value))
+        buffer_print(b, ",\"%s\":%.17g", name, value);
+    else
+        buffer_print(b, ",\"%s\":null", name);
+}
+
+static void write_string(buffer *b, const char *name, const char *text)
+{
+    buffer_print(b, ",\"%s\":\"", name);
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\')
+            buffer_print(b, "\\%c", *text);
+        else if ((unsigned char)*text < ' ' || (unsigned char)*text > '~')
+            buffer_print(b, "\\u%04x", (unsigned char)*text);
+        else
+            buffer_append(b, text, 1);
+    }
+    buffer_print(b, "\"");
+}
+
+/* Of the trees of the certificate, and of the uniform method. */
+static void write_levels(buffer *b, const findings *f)
+{
+    buffer_print(b, ",\"level\":%d,\"elements\":%ld", f->level, f->elements);
+    if (f->uniform)
+        buffer_print(b, ",\"uniform_level\":%d,\"uniform_elements\":%ld", f->uniform_level, f->uniform_elements);
+}
+
+static void write_findings(buffer *b, const findings *f)
+{
+    write_string(b, "eigenvalue", f->eigenvalue);
+    write_number(b, "modulus_lower", f->eigenvalue_lower);
+    write_number(b, "modulus_upper", f->eigenvalue_upper);
+    write_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
+    buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
+    write_number(b, "jacobian_lower", f->jacobian);
+    buffer_print(b, ",\"method\":\"%s\"", f->uniform ? "uniform" : "adaptive");
+    write_levels(b, f);
+}
+
+void prove_print_json(const char *name, const decision *d, const char *certificate)
+{
+    const attempt *a = decision_obstacle(d);
+    buffer b;
+    buffer_init(&b);
+    buffer_print(&b, "{\"scheme\":\"%s\",\"valence\":%ld,\"verdict\":\"%s\"", name, d->valence, verdict_name(d->verdict));
+    if (d->verdict == VERDICT_PROVED && !d->plainly_regular && !d->kept_before)
+        write_findings(&b, &d->findings);
+    if (d->kept_before) {
+        buffer_print(&b, ",\"kept_before\":true");
+    } else if (d->verdict == VERDICT_PROVED) {
+        write_string(&b, "system", d->plainly_regular ? "exact" : d->system);
+        buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
+    } else {
+        write_string(&b, "test", a->test);
+        write_string(&b, "reason", a->reason);
+        write_string(&b, "system", a->system);
+        buffer_print(&b, ",\"precision\":%ld", a->precision);
+    }
+    write_number(&b, "seconds", d->seconds);
+    if (certificate)
+        write_string(&b, "certificate", certificate);
+    buffer_print(&b, "}");
+    puts(b.failed ? "{}" : b.bytes);
+    buffer_clear(&b);
+}
+
+void prove_write_log(buffer *b, const decision *d)
+{
+    for (int i = 0; i < d->findings.attempt_count; i++) {
+        const attempt *a = &d->findings.attempts[i];
+        buffer_print(b, "{\"valence\":%ld", d->valence);
+        write_string(b, "test", a->test);
+        write_string(b, "system", a->system);
+        buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
+        write_string(b, "outcome", outcome_name(a->outcome));
+        write_number(b, "bound", a->bound);
+        if (!isnan(a->error))
+            write_number(b, "error", a->error);
+        write_number(b, "seconds", a->seconds);
+        write_string(b, "reason", a->reason);
+        buffer_print(b, "}\n");
+    }
+    if (d->findings.uniform) {
+        buffer_print(b, "{\"valence\":%ld", d->valence);
+        write_string(b, "test", "both methods");
+        write_levels(b, &d->findings);
+        write_string(b, "outcome", verdict_name(d->verdict));
+        buffer_print(b, "}\n");
+    }
+}
