@@ -1,7 +1,8 @@
 # bench: programs that measure, for `make bench`. Each prints its own table.
 
 BENCHES = \
-  bench/bigfloat
+  bench/bigfloat \
+  bench/spectrum
 
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
@@ -9,9 +10,12 @@ CLEANFILES += $(BENCHES)
 # These compare with MPFR and FLINT where there are any.
 bench_bigfloat_LDADD = $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)
 
+bench_spectrum_LDADD = $(VERIFY_LIBS)
+EXTRA_DIST += bench/twelve.scheme
+
 .PHONY: bench
 bench: all
 	@for program in $(BENCHES); do \
 	  echo "== $$program"; \
-	  $(MAKE) -s $(AM_MAKEFLAGS) $$program && ./$$program || exit 1; \
+	  $(MAKE) -s $(AM_MAKEFLAGS) $$program && SRCDIR=$(srcdir) ./$$program || exit 1; \
 	done
