@@ -84,14 +84,15 @@ static long best_sample(long *left, long *right, survey *z)
 }
 
 /* Between left, where L still rises with the frequency, and right, where it falls, the top by the sign of the slope, which
-   tells it far better than values do.  0: it does not work. */
+   tells it far better than values do.  At the frequency k/2 itself L is even in u: nothing need fall there.  0: it does not
+   work. */
 static long bisect_slope(long left, long right, survey *z)
 {
     number x, y;
     int sign = -1, other = 1;
     number_init(&x);
     number_init(&y);
-    if (monotone_direction(&x, &sign, &z->numbers, left, z->complaint) != BLOCK_OK || monotone_direction(&y, &other, &z->numbers, right, z->complaint) != BLOCK_OK || sign != -1 || other != 1)
+    if (monotone_direction(&x, &sign, &z->numbers, left, z->complaint) != BLOCK_OK || monotone_direction(&y, &other, &z->numbers, right, z->complaint) != BLOCK_OK || sign != -1 || (other != 1 && right != z->half))
         left = right = 0;
     while (right - left > 1) {
         long middle = left + (right - left) / 2;
@@ -100,6 +101,8 @@ static long bisect_slope(long left, long right, survey *z)
         else
             *(sign < 0 ? &left : &right) = middle;
     }
+    if (right - left == 1 && right == z->half && other != 1)
+        left = right;
     if (right - left == 1 && monotone_direction(&x, &sign, &z->numbers, left, z->complaint) == BLOCK_OK && sign && monotone_direction(&y, &other, &z->numbers, right, z->complaint) == BLOCK_OK
         && other && number_less(&x, &y) == TRUTH_TRUE)
         left = right;
