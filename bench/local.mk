@@ -2,6 +2,7 @@
 
 BENCHES = \
   bench/bigfloat \
+  bench/spectrum \
   bench/prove
 
 EXTRA_PROGRAMS += $(BENCHES)
@@ -13,9 +14,12 @@ bench_prove_LDADD =
 # These compare with MPFR and FLINT where there are any.
 bench_bigfloat_LDADD = $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)
 
+bench_spectrum_LDADD = $(VERIFY_LIBS)
+EXTRA_DIST += bench/twelve.scheme
+
 .PHONY: bench
 bench: all
 	@for program in $(BENCHES); do \
 	  echo "== $$program"; \
-	  $(MAKE) -s $(AM_MAKEFLAGS) $$program && ./$$program || exit 1; \
+	  $(MAKE) -s $(AM_MAKEFLAGS) $$program && SRCDIR=$(srcdir) ./$$program || exit 1; \
 	done

@@ -31,6 +31,7 @@ LIB_SOURCES = \
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
+  lib/matrix_row.h \
   lib/formula_value.h lib/formula_value.c \
   lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
