@@ -1,10 +1,14 @@
 # bench: programs that measure, for `make bench`. Each prints its own table.
 
 BENCHES = \
-  bench/bigfloat
+  bench/bigfloat \
+  bench/prove
 
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
+
+# bench/prove runs the program itself.
+bench_prove_LDADD =
 
 # These compare with MPFR and FLINT where there are any.
 bench_bigfloat_LDADD = $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)

@@ -54,13 +54,15 @@ VERIFY_TESTS = \
   tests/verify/t-valences \
   tests/verify/t-survey \
   tests/verify/t-certificate \
-  tests/verify/t-prove
+  tests/verify/t-prove \
+  tests/verify/t-uniform
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
+tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
@@ -86,7 +88,8 @@ GENERIC_TESTS = \
   tests/lib/t-complex_eigenpair \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
-  tests/lib/t-ring
+  tests/lib/t-ring \
+  tests/verify/t-uniform_net
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
@@ -97,6 +100,7 @@ SCRIPT_TESTS = \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
+  tests/verify/cases.sh \
   tests/verify/cli.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh
@@ -110,7 +114,8 @@ EXTRA_DIST += \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
-  tests/certificates/reject
+  tests/certificates/reject \
+  tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 

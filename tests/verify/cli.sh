@@ -93,6 +93,10 @@ usage_of_prove() {
   for level in '' 0 61 -1 x; do
     expect "max-level-'$level'" 64 '--max-level: expected a number' prove loop --valence 3 --out none --max-level "$level"
   done
+  for method in '' thesis Uniform; do
+    expect "method-'$method'" 64 "--method: expected 'adaptive' or 'uniform'" prove loop --valence 3 --out none --method "$method"
+  done
+  expect method-uniform-on-quads 64 '--method uniform is for triangle meshes only' prove catmull-clark --valence 3 --out none --method uniform
   contents bad-usage-leaves-nothing . stderr stdout
 }
 
@@ -103,6 +107,10 @@ answers() {
   holds one-line-each $? "found $(sed 's/;.*//' stdout | tr '\n' ' ')"
   expect proved-with-balls 0 'balls of 128 bits' prove loop --valence 7 --precision 128 --out none
   expect proved-with-intervals 0 'double intervals' prove loop --valence 7 --max-precision 0 --out none
+  expect proved-adaptively 0 'Jacobian > 0.313, level 1, 7 elements' prove loop --valence 7 --out none --method adaptive
+  expect proved-uniformly 0 'uniform level 2, 48 elements (adaptive: level 1, 7 elements)' prove loop --valence 7 --out none --method uniform
+  expect proved-uniformly-json 0 '"method":"uniform","level":1,"elements":7,"uniform_level":2,"uniform_elements":48' \
+    prove loop --valence 7 --out none --method uniform --json
   expect options-before 0 'proved: loop is C1 at valence 3; ' prove --out none --valence=3 loop
   expect undecided-level 2 'undecided: butterfly at valence 5; ' prove butterfly --valence 5 --max-level 1 --max-precision 64 --out none
   sed 's|centre .*+.*|centre 5/8|' "$loop" >tie.scheme
@@ -161,6 +169,13 @@ archives() {
   holds index-digest $? "$(grep '^5' evidence/index)"
   [ "$(sed 's/ [0-9a-f]\{64\} .*//' undecided/index | tr '\n' ';')" = '5 undecided;7 proved;' ]
   holds index-undecided $? "$(head -n 1 undecided/index)"
+
+  # A proof that is there already says nothing of the uniform method: it is done again, with the same certificate.
+  cp evidence/valence-5.cert before
+  expect archive-uniform 0 'uniform level 3' prove loop --valence 5 --out evidence --method uniform
+  same archive-uniform-same-bytes evidence/valence-5.cert before
+  grep -q '"test":"both methods","level":1,"elements":[0-9]*,"uniform_level":3,"uniform_elements":192,' evidence/valence-5.log
+  holds archive-uniform-log $? "$(tail -n 1 evidence/valence-5.log)"
 
   # Every line of a log is an object by itself.
   [ "$(grep -c '^{"valence":3,.*}$' evidence/valence-3.log)" = "$(wc -l <evidence/valence-3.log | tr -d ' ')" ]
