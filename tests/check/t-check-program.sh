@@ -355,6 +355,83 @@ quads quads-halfplane 1 'boundary' 's/^halfplane .*/halfplane 0 1/'
 quads quads-vague 1 'not decided' 's/^radius .*/radius 400000000000000/'
 quads quads-eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue 7/'
 
+# Leaves decided by coefficients
+
+spline() { lie_1 "$1" "$2" "$3" doo-sabin-spectrum-5 doo-sabin-spectrum 5 "$4" --set l=9/10; }
+spline coefficients-nothing 0 '^verified' ''
+spline coefficients-boxes 1 'is not decided' '/^regularity/s/2/0/g'
+spline coefficients-letter 1 'word' '/^regularity/s/2/3/'
+spline coefficients-vague 1 'not decided' 's/^radius .*/radius 400000000000000/'
+negative coefficients-of-no-spline 1 'box splines only' 's/^regularity 0/regularity 2/'
+negative coefficients-of-no-spline-boundary 1 'box splines only' 's/^boundary 11000/boundary 11200/'
+
+# Refutations
+
+# denial NAME STATUS PATTERN CERTIFICATE SCHEME VALENCE SED-COMMAND [OPTION...]
+denial() {
+  name=$1 status=$2 pattern=$3 lied=$5 valence=$6
+  sed -e '/^records/,$d' -e "$7" "$here/../certificates/accept-1/$4.cert" >"$work/lie"
+  finish "$work/lie" "$work/lie.cert"
+  shift 7
+  for file in "$here/../../lib/catalogue/$lied.scheme" "$here/../certificates/schemes/$lied.scheme"; do
+    if [ -f "$file" ]; then break; fi
+  done
+  answer "denial-$name" "$status" "$pattern" --scheme "$file" "$@" --valence "$valence" --claim not-c1 "$work/lie.cert"
+}
+
+ripple() { denial "$1" "$2" "$3" butterfly-8 butterfly 8 "$4"; }
+ripple nothing 0 '^verified: butterfly is not C1 at valence 8' ''
+ripple claim 1 'claim' 's/^claim not-c1/claim c1/'
+ripple reason 1 'reason' 's/^reason frequency/reason frequent/'
+ripple reason-not-c0 1 '' 's/^reason frequency/reason not-c0/'
+ripple frequency-1 1 'frequency' 's/^frequency 2/frequency 1/'
+ripple frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/
+s/^block 3 .*/block 3 3 20/
+s/^block 2 .*/block 2 2 20/'
+ripple frequency-4 1 'frequency' 's/^frequency 2/frequency 4/'
+ripple frequency-0 1 'form' 's/^frequency 2/frequency 0/'
+ripple form 1 'form' 's/^form real/form plain/'
+ripple block-2 1 'block 2' 's/^block 2 2 .*/block 2 2 0/'
+ripple block-1 1 'block 1' 's/^block 1 1 .*/block 1 1 0/'
+ripple block-of-several 1 'block: expected' 's/^block 2 2 .*/block 2 3 20/
+/^block 3/d'
+ripple boundary 1 'not decided' 's/^boundary .*/boundary 0000/'
+ripple boundary-letter 1 'word' 's/^boundary ./boundary 2/'
+ripple halfplane 1 'expected .boundary' 's/^boundary/halfplane 1 1\
+&/'
+ripple witness 1 'expected .records' 's/^boundary .*/&\
+witness 0 -/'
+
+growth() { denial "$1" "$2" "$3" centre-divergent-5 centre-divergent 5 "$4"; }
+growth growth-nothing 0 '^verified' ''
+growth growth-reason 1 '' 's/^reason not-c0/reason frequency/'
+growth growth-form 1 'form' 's/^form plain/form real/'
+growth growth-witness-element 1 'witness' 's/^witness [0-9]* /witness 1000 /'
+growth growth-witness-path 1 'witness' 's/^\(witness [0-9]*\) .*/\1 3/'
+growth growth-witness-word 1 'witness' 's/^\(witness [0-9]*\) .*/\1 x/'
+growth growth-eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
+
+fold() { denial "$1" "$2" "$3" doo-sabin-fold-3 doo-sabin-spectrum 3 "$4" --set l=9/10; }
+fold fold-nothing 0 '^verified' ''
+fold fold-reason 1 'frequency' 's/^reason fold/reason frequency/'
+fold fold-one-witness 1 'expected .witness' '/^witness 2 /d'
+fold fold-same-witness 1 'witness' '/^witness/{
+h
+N
+s/^\(.*\)\n.*/\1\
+\1/
+}'
+fold fold-exchanged 1 'witness' '/^witness/{
+N
+s/^\(.*\)\n\(.*\)/\2\
+\1/
+}'
+
+cup() { denial "$1" "$2" "$3" centre-above-5 centre-above 5 "$4"; }
+cup cup-nothing 0 '^verified' ''
+cup cup-pivot 1 'radius' 's/^pivot .*/pivot 1/'
+cup cup-block-1 1 'block 1' 's/^block 1 1 .*/block 1 1 0/'
+
 # Settings
 
 lie_1 set-nothing 0 '^verified' butterfly-5-other butterfly 5 '' --set w=1/20
@@ -384,7 +461,7 @@ answer usage-list 2 'valence' --scheme "$scheme" --valence 3,7 --claim c1 "$good
 answer usage-range 2 'valence' --scheme "$scheme" --valence 3..7 --claim c1 "$good"
 answer usage-small 2 'valence' --scheme "$scheme" --valence 2 --claim c1 "$good"
 answer usage-large 2 'valence' --scheme "$scheme" --valence 99999999999999999999 --claim c1 "$good"
-answer usage-not-c1 2 'not-c1' --scheme "$scheme" --valence 7 --claim not-c1 "$good"
+answer usage-not-c1 1 'expected not-c1' --scheme "$scheme" --valence 7 --claim not-c1 "$good"
 answer usage-claim 2 'claim' --scheme "$scheme" --valence 7 --claim c2 "$good"
 answer usage-set 2 'set' --scheme "$scheme" --set w=1/16 --valence 7 --claim c1 "$good"
 answer usage-help 0 'Usage' --help

@@ -134,7 +134,7 @@ static const char *read_word(size_t *size, struct record *r)
     const char *token = next_token(size, r);
 
     for (size_t i = 0; i < *size; i++)
-        if (token[i] != '0' && token[i] != '1')
+        if (token[i] != '0' && token[i] != '1' && (token[i] != '2' || !r->c->has_splines))
             rejected(r->c->file, r->line, "%s: expected a word over {0,1}", r->name);
     return token;
 }
@@ -432,6 +432,7 @@ static void read_refutation(struct certificate *c)
 
 void certificate_read_choices(struct certificate *out, int n)
 {
+    out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
     out->n = n;
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))

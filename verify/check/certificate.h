@@ -54,7 +54,8 @@ struct certificate {
     int blocks;
     struct block_record *block;
     int64_t normal[2];
-    const char *regularity, *boundary;             /* words over {0,1} */
+    bool has_splines;                              /* 2 is a letter */
+    const char *regularity, *boundary;             /* words over {0,1,2} */
     size_t regularity_size, boundary_size;
     int witnesses;
     struct witness witness[2];

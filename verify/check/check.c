@@ -242,21 +242,21 @@ static interval *with_constants(const interval *y, interval l, const interval *b
     return out;
 }
 
-/* The rest: all blocks, with `matrix` for that of L. */
+/* The rest: all blocks, with `matrix` for that of L, which comes first. */
 static void check_rest(const struct block *block, const interval *matrix,
                        const struct eigenpair *pair, const struct certificate *c)
 {
+    for (int i = 0; i < c->blocks; i++)
+        if (c->block[i].first == c->frequency)
+            spectrum_prove_rest(matrix, c->size, c->grid, pair, &c->block[i], c);
     for (int i = 0; i < c->blocks; i++) {
         struct mark mark = scratch_mark();
         struct valence v = *block->v;
         struct block other;
         int64_t first = c->block[i].first, last = c->block[i].last;
 
-        if (first == c->frequency) {
-            spectrum_prove_rest(matrix, c->size, c->grid, pair, &c->block[i], c);
-            scratch_release(mark);
+        if (first == c->frequency)
             continue;
-        }
         v.reference.line = c->block[i].line;
         if (first > 1 && first == last && !valence_has_values(&v, first))
             first--;                               /* a box of its own is too long */

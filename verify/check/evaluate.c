@@ -54,7 +54,7 @@ static void evaluate_chain(struct value *out, const struct node *f,
 {
     evaluate_into(out, f->first, e);
     if (f->kind == NODE_SUM && f->first->join == '-')
-        value_negate(out, f);
+        value_negate(out);
     for (const struct node *n = f->first->next; n != NULL; n = n->next) {
         if (f->kind == NODE_SUM || f->kind == NODE_PRODUCT)
             value_apply(out, n->join, operand(n, e), n, e->g);

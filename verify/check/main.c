@@ -29,6 +29,7 @@
  *     sector          section 5, sector nets and blocks
  *     spectrum        section 6, the spectrum
  *     element         section 7, elements, windows, rings
+ *     spline          section 7, limits that are polynomials
  *     influence       section 7, how far rules matter   (lib/ring.md)
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions

@@ -175,9 +175,8 @@ void value_apply(struct value *a, char operation, const struct value *b,
     *a = apply(*a, operation, *b, at, g);
 }
 
-void value_negate(struct value *v, const struct node *at)
+void value_negate(struct value *v)
 {
-    (void)at;
     if (v->kind == ENCLOSURE)
         v->x = interval_minus(v->x);
     else if (v->kind != UNDEFINED)
@@ -275,7 +274,7 @@ static struct value power(struct value base, struct value exponent, bool minus,
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
         return base.kind == UNDEFINED ? base : exponent;
     if (minus)
-        value_negate(&exponent, at);
+        value_negate(&exponent);
     if (exponent.affine)
         return power_of_range(base, exponent, at, g);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))

@@ -54,7 +54,7 @@ void value_require(struct value v, const struct language *l, const char *certifi
 /* a := a + b, a - b, a * b, a / b */
 void value_apply(struct value *a, char operation, const struct value *b,
                  const struct node *at, int g);
-void value_negate(struct value *v, const struct node *at);
+void value_negate(struct value *v);
 
 /* base := base ^ exponent, or base ^ -exponent */
 void value_power(struct value *base, const struct value *exponent, bool minus,
