@@ -13,7 +13,7 @@
 #if defined(NUMBER_INTERVAL)
 enum { PRECISION = 53, DEEP = 6, CASES = 8 };
 #else
-enum { PRECISION = 64, DEEP = 5, CASES = 4 };
+enum { PRECISION = 64, DEEP = 4, CASES = 4 };
 #endif
 
 /* 1 - 6s, 1/2 - 2s, 2s, s with s = 3/32: between Loop's scheme (1/16) and the end of those without negative weights (1/8). */
