@@ -185,7 +185,7 @@ static status find_lower(survey *z)
 
 /* ---- the sides ---- */
 
-static const cover_limits strict = {400, 0, 10000, false}, lenient = {800, 40, 10000, false};
+static const cover_limits strict = {.tries = 400, .power = 10000}, lenient = {.tries = 800, .open = 40, .power = 10000};
 
 /* Are all eigenvalues of the blocks smaller than `bound`, thin? */
 static status prove_below(bool *proved, frequencies *open, bool *exhausted, survey *z, frequencies m, const number *bound, const cover_limits *limits)
@@ -359,7 +359,7 @@ static status prove_side(survey *z, long goal)
 static status add_range(survey *z, frequencies m, bool bounds)
 {
     static const double slack[] = {0x1p-10, 0x1p-5};
-    static const cover_limits quick = {100, 0, 10000, false};
+    static const cover_limits quick = {.tries = 100, .power = 10000};
     double radius = 0, upper = INFINITY;
     status result = STATUS_OK;
     if (z->list->ordered)
