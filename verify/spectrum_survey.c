@@ -198,7 +198,7 @@ static cover_limits limits_of(const survey *z, effort e)
 {
     static const double tries[] = {100, 400, 8000}, most[] = {100, 400, 1000};
     double size = z->block_size, factor = fmin(1, 1000 / (size * size * size + 1));
-    return (cover_limits){(long)fmin(fmax(tries[e] * factor, 20), most[e]), e == LENIENT ? 40 : 0, 10000, false};
+    return (cover_limits){.tries = (long)fmin(fmax(tries[e] * factor, 20), most[e]), .open = e == LENIENT ? 40 : 0, .power = 10000};
 }
 
 /* Are all eigenvalues of the blocks smaller than `bound`, thin? */

@@ -183,6 +183,19 @@ archives() {
   rm -rf evidence by-file smoothcert-loop undecided canonical before respaced.scheme other.scheme
 }
 
+# Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here.
+patience() {
+  if command -v timeout >/dev/null 2>&1; then
+    timeout -s KILL 60 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --time-limit 1 --out none >stdout 2>stderr
+    status=$? wanted=2 message='undecided: kobbelt at valence 1000000000; ' name=time-limit
+    judge
+    timeout -s INT -k 60 1 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --out none >stdout 2>stderr
+    status=$?
+    [ ! -s stdout ] && grep -q 'interrupted' stderr
+    holds interrupt $? "status $status: $(cat stdout stderr | head -n 1)"
+  fi
+}
+
 bad_places() {
   echo file >file
   expect out-is-a-file 74 'file' prove loop --valence 3 --out file
@@ -286,6 +299,7 @@ mkdir work && cd work || exit 1
   answers
   figures
   archives
+  patience
   bad_places
   bad_files
   bad_lines
