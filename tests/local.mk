@@ -84,7 +84,8 @@ GENERIC_TESTS = \
   tests/lib/t-complex_eigenpair \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
-  tests/lib/t-ring
+  tests/lib/t-ring \
+  tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
