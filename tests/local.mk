@@ -53,12 +53,14 @@ VERIFY_TESTS = \
   tests/verify/t-tree \
   tests/verify/t-valences \
   tests/verify/t-certificate \
-  tests/verify/t-prove
+  tests/verify/t-prove \
+  tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
+tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \

@@ -28,15 +28,7 @@ static subject subjects[SCHEMES];
 static void make_subjects(void)
 {
     for (int i = 0; i < SCHEMES; i++) {
-        const char *parameters[] = {schemes[i].parameter}, *text = "";
-        scheme_settings settings = {parameters, schemes[i].parameter != NULL};
-        diagnostic d = {0, 0, ""};
-        for (const struct catalogue_entry *e = catalogue; e->name; e++)
-            if (!strcmp(e->name, schemes[i].name))
-                text = e->text;
-        scheme_init(&subjects[i].scheme);
-        problem_init(&subjects[i].problem);
-        MUST(scheme_read(&subjects[i].scheme, text, strlen(text), &settings, &d) == STATUS_OK && problem_make(&subjects[i].problem, &subjects[i].scheme));
+        subject_from_catalogue(&subjects[i], schemes[i].name, schemes[i].parameter);
         MUST(subjects[i].problem.polynomial == schemes[i].polynomial);
     }
 }
@@ -294,7 +286,7 @@ static void test_search(void)
         tree_word word;
         outcome o;
         double corner, least;
-        make_setting(&s, (int)random_below(SCHEMES), random_bool(), (double)random_range(1, 20) / 20);
+        make_setting(&s, (int)random_below(SCHEMES), random_bool(), (double)random_range(1, 60) / 20);
         tree_init(&word);
         s.task.replay = false;
         s.task.max_level = 3;
