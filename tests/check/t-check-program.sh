@@ -362,6 +362,7 @@ spline coefficients-nothing 0 '^verified' ''
 spline coefficients-boxes 1 'is not decided' '/^regularity/s/2/0/g'
 spline coefficients-letter 1 'word' '/^regularity/s/2/3/'
 spline coefficients-vague 1 'not decided' 's/^radius .*/radius 400000000000000/'
+lie_1 coefficients-too-vague 1 'not decided by coefficients' loop-3 loop 3 's/^radius .*/radius 800000000000000/'
 negative coefficients-of-no-spline 1 'box splines only' 's/^regularity 0/regularity 2/'
 negative coefficients-of-no-spline-boundary 1 'box splines only' 's/^boundary 11000/boundary 11200/'
 
@@ -429,6 +430,9 @@ s/^\(.*\)\n\(.*\)/\2\
 
 cup() { denial "$1" "$2" "$3" centre-above-5 centre-above 5 "$4"; }
 cup cup-nothing 0 '^verified' ''
+cup cup-growth 1 'not proved to be larger than 1' 's/^reason frequency/reason not-c0/
+/^block/d
+s/^boundary.*/witness 0 -/'
 cup cup-pivot 1 'radius' 's/^pivot .*/pivot 1/'
 cup cup-block-1 1 'block 1' 's/^block 1 1 .*/block 1 1 0/'
 

@@ -222,7 +222,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
-    out->claim = read_choice_record(out, "claim", claim, 2, &out->line_of.claim);
+    out->claim = (enum claim)read_choice_record(out, "claim", claim, 2, &out->line_of.claim);
     out->valence = read_decimal_record(out, "valence", MIN_VALENCE,
                                        out->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1,
                                        &out->line_of.valence);
