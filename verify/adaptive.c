@@ -383,49 +383,85 @@ outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_ta
 
 /* ---- one element ---- */
 
-/* A search looks at so many boxes, and so many levels deep. */
-enum { SEEK_MOST = 20000, SEEK_DEPTH = 8 };
+/* A search goes down from so many elements, and so many levels deep. */
+enum { SEEK_STARTS = 8, SEEK_DEPTH = 40 };
 
-/* Down from a node to `depth`, where boxes are tried; nothing below a box on which the opposite holds is of use. */
-static outcome seek_below(run *r, witness_choice *w, element_type type, int level, int depth)
+/* The quantity's middle on the box of a node: where to look next. */
+static outcome look(double *middle, run *r, element_type type, int level, double *margin)
 {
-    double margin;
-    outcome o = decide_by_boxes(r, type, level, &margin);
+    outcome o = decide_by_boxes(r, type, level, margin);
     r->report->examined++;
-    if (o == OUTCOME_TRUE) {
-        w->depth = level;
-        w->path[level] = '\0';
-        r->report->margin = margin;
-        r->report->level = level;
-    }
-    if (o != OUTCOME_UNDEFINED || level == depth || r->report->examined > SEEK_MOST)
-        return o == OUTCOME_UNDEFINED ? OUTCOME_FALSE : o;
-    if (deadline_passed(r->task->deadline))
-        return OUTCOME_STOPPED;
-    for (int c = 0; c < element_children(type); c++) {
-        o = make_child(r, type, c, level);
-        w->path[level] = (char)('0' + c);
-        if (o == OUTCOME_TRUE)
-            o = seek_below(r, w, element_get_child(type, c).type, level + 1, depth);
-        if (o != OUTCOME_FALSE)
-            return o;
-    }
-    return OUTCOME_FALSE;
+    *middle = number_mid_approx(&r->quantity);
+    return o;
 }
 
-/* Level by level, so that the witness is a large one. */
+/* Down from an element, always to the child where the quantity seems largest. */
+static outcome descend(run *r, witness_choice *w)
+{
+    element_type type = r->task->elements[w->element].type;
+    for (int level = 0;; level++) {
+        double middle, best = -INFINITY;
+        int child = -1;
+        outcome o = look(&middle, r, type, level, &r->report->margin);
+        w->depth = level;
+        w->path[level] = '\0';
+        r->report->level = level;
+        if (o != OUTCOME_UNDEFINED || level == SEEK_DEPTH)
+            return o == OUTCOME_UNDEFINED ? OUTCOME_FALSE : o;
+        if (deadline_passed(r->task->deadline))
+            return OUTCOME_STOPPED;
+        for (int c = 0; c <= element_children(type); c++) { /* the last time: the best one once more */
+            bool again = c == element_children(type);
+            double margin;
+            if (again && child < 0)
+                return OUTCOME_FALSE;
+            o = make_child(r, type, again ? child : c, level);
+            if (o != OUTCOME_TRUE)
+                return o;
+            if (again)
+                break;
+            o = look(&middle, r, element_get_child(type, c).type, level + 1, &margin);
+            if (o == OUTCOME_NO_MEMORY)
+                return o;
+            if (middle > best) {
+                best = middle;
+                child = c;
+            }
+        }
+        w->path[level] = (char)('0' + child);
+        type = element_get_child(type, child).type;
+    }
+}
+
+/* From the elements where the quantity seems largest. */
 static outcome seek(run *r, witness_choice *w)
 {
-    for (int depth = 0; depth <= SEEK_DEPTH && r->report->examined <= SEEK_MOST; depth++)
-        for (int e = 0; e < r->task->count; e++) {
-            outcome o;
-            start_element(r, e);
-            w->element = e;
-            o = seek_below(r, w, r->task->elements[e].type, 0, depth);
-            if (o != OUTCOME_FALSE)
-                return o;
+    int start[SEEK_STARTS], starts = 0;
+    double height[SEEK_STARTS];
+    outcome o = OUTCOME_FALSE;
+    for (int e = 0; e < r->task->count; e++) {
+        double middle, margin;
+        int at;
+        start_element(r, e);
+        if (look(&middle, r, r->task->elements[e].type, 0, &margin) == OUTCOME_NO_MEMORY)
+            return OUTCOME_NO_MEMORY;
+        for (at = starts; at > 0 && !(height[at - 1] >= middle); at--)
+            if (at < SEEK_STARTS) {
+                start[at] = start[at - 1];
+                height[at] = height[at - 1];
+            }
+        if (at < SEEK_STARTS) {
+            start[at] = e;
+            height[at] = middle;
+            starts += starts < SEEK_STARTS;
         }
-    return OUTCOME_FALSE;
+    }
+    for (int i = 0; o == OUTCOME_FALSE && i < starts; i++) {
+        w->element = start[i];
+        start_element(r, start[i]);
+        o = descend(r, w);
+    }
+    return o;
 }
 
 static outcome follow_path(run *r, const witness_choice *w)
