@@ -134,6 +134,28 @@ rule centre
   all (1,0) rest
 end
 END
+# Blocks of which nothing is known are no want of memory.
+cat >unknown.scheme <<'END'
+scheme unknown
+mesh triangle
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 5/8
+  (1,0) 3/8
+  (1,1) 1/8
+  (2,0) 1/16
+end
+rule centre
+  centre 5/8
+  all (1,0) rest
+end
+rule (1,0)
+  centre rest
+  (1,0) spectrum cases(m = 0: 5/8; m = 1: 1/2; else: (1/2)^abs(m - 7777))
+end
+END
+says unknown 'in block 1, simple' ./unknown.scheme --valence 101
 says minus-one 'dominant: L = -1.0' ./minus.scheme --valence 5
 "$SMOOTHCERT" spectrum ./minus.scheme --valence 5 >printed
 if grep curvature printed >found; then
