@@ -348,6 +348,16 @@ static truth settle(workspace *w, eigenpair_choice *choice, long prec)
     return proved;
 }
 
+/* TRUTH_UNKNOWN: of some nothing is known.  TRUTH_FALSE: for want of memory. */
+static truth all_are_finite(const number *b, size_t size)
+{
+    truth t = TRUTH_TRUE;
+    for (size_t i = 0; i < size && t != TRUTH_FALSE; i++)
+        if (!number_is_finite(&b[i]))
+            t = number_lacks_memory(&b[i]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    return t;
+}
+
 truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex_form, long g, long prec)
 {
     workspace w;
@@ -357,7 +367,9 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex
     bool made = workspace_make(&w, b, n, complex_form, 0);
     if (made && work && eigenpair_choice_make(z, n, g)) {
         z->complex_form = complex_form;
-        found = start(&w, work, z, prec);
+        found = all_are_finite(b, square);
+        if (found == TRUTH_TRUE)
+            found = start(&w, work, z, prec);
         if (found == TRUTH_TRUE) {
             long unit = g + 64, step = unit, last;
             do {

@@ -222,10 +222,6 @@ static status set_rule(rule_numbers *z, evaluation *e)
             } else {
                 value_of_rest(&z->matrix[i], &rest, s, e);
             }
-            if (s->kind == SOURCE_CENTRE) {
-                number_set(&z->centre, is_rest ? &rest : &total);
-                z->point[i] = (lattice){0, 0};
-            }
             if (number_lacks_memory(&rest))
                 result = STATUS_NO_MEMORY;
         }
@@ -291,11 +287,9 @@ void scheme_numbers_free(scheme_numbers *z)
 {
     for (int i = 0; z->scheme && i < z->scheme->step_count; i++) {
         step_numbers *s = &z->steps[i];
-        for (int j = 0; j < s->rule_count; j++) {
+        for (int j = 0; j < s->rule_count; j++)
             for (int l = 0; l < s->rules[j].count; l++)
                 pair_matrix_clear(&s->rules[j].matrix[l]);
-            number_clear(&s->rules[j].centre);
-        }
         free(s->rules);
         if (s->mask.mask)
             mask_numbers_free(&s->mask);
@@ -325,7 +319,7 @@ static sector_status apply_rule(number *x, number *y, const rule_numbers *r, con
     number_zero(y);
     for (int i = 0; s == SECTOR_OK && i < r->count; i++) {
         if (r->rule->sources[i].kind == SOURCE_CENTRE) {
-            number_addmul(x, &r->centre, &old_net->centre, prec);
+            number_addmul(x, &r->matrix[i].xx, &old_net->centre, prec); /* 0 unless the net is plain */
             continue;
         }
         s = sector_value(&p, &q, old_net, r->point[i].a, r->point[i].b, prec);

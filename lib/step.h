@@ -12,14 +12,13 @@
 #define scheme_numbers_free NUMBER_NAME(scheme_numbers_free)
 #define scheme_subdivide NUMBER_NAME(scheme_subdivide)
 
-/* A rule's effect on nets of one frequency: the sum of matrix[i] times the value at point[i] of the own sector,
-   and of `centre` times the centre. */
+/* A rule's effect on nets of one frequency: the sum of matrix[i] times the value at point[i] of the own sector, or at
+   the centre, as source i says. */
 typedef struct {
     const rule *rule;
     int count;
     lattice point[SCHEME_MAX_SOURCES];
     pair_matrix matrix[SCHEME_MAX_SOURCES];
-    number centre;
 } rule_numbers;
 
 typedef struct {

@@ -132,7 +132,7 @@ static summary summarise(const spectrum_list *l)
             best = (long)i;
     for (size_t i = 0; i < l->count; i++) {
         const spectrum_entry *e = &l->entry[i];
-        if ((long)i == s.one || (long)i == best || (best >= 0 && spectrum_is_conjugate_pair(&l->entry[best], e)))
+        if ((long)i == s.one || (long)i == best || (best >= 0 && spectrum_is_conjugate_pair(l, (size_t)best, i)))
             continue;
         if (s.runner_up < 0 || e->modulus_upper > l->entry[s.runner_up].modulus_upper)
             s.runner_up = (long)i;
@@ -161,6 +161,12 @@ static void print_entry(const spectrum_entry *e)
         printf("   (%d eigenvalues with multiplicity, that near)", e->count);
     if (e->re)
         printf("\n");
+}
+
+/* More than %.9g changes x by. */
+static double rounding_of(double x)
+{
+    return x < 1 ? 1e-9 : 1e-8 * x;
 }
 
 /* mu / L^2 decides how curvature behaves ([Z] Corollary 3.12; verify/certificate.md does not speak of it). */
@@ -198,18 +204,21 @@ static void print_summary(const spectrum_list *l, const summary *s)
     d = &l->entry[s->dominant];
     printf("dominant: L = %s", d->re);
     if (d->im)
-        printf(" + i (%s), modulus > %.9g", d->im, d->modulus_lower - 1e-9);
+        printf(" + i (%s), modulus > %.9g", d->im, d->modulus_lower - rounding_of(d->modulus_lower));
     printf(" in block %ld, simple\n", d->m);
     if (s->runner_up < 0)
         return;
     r = &l->entry[s->runner_up];
     low = r->modulus_lower / (d->modulus_upper * d->modulus_upper) * (1 - 1e-15);
     high = s->rest_upper / (d->modulus_lower * d->modulus_lower) * (1 + 1e-15);
-    printf("runner-up: mu < %.9g", s->rest_upper + 1e-9);
+    printf("runner-up: mu < %.9g", s->rest_upper + rounding_of(s->rest_upper));
     if (s->rest_upper <= r->modulus_upper * (1 + 0x1p-20))
         printf(" in block %ld", r->m);
     printf("; mu / L = %.6g\n", fmin(1, s->rest_upper / d->modulus_lower));
-    printf("mu / L^2 = %.6g: %s\n", high, meaning_of(low, high));
+    printf("mu / L^2 = %.6g", high);
+    if (d->m == 1 && d->modulus_upper < 1) /* else there is no tangent plane */
+        printf(": %s", meaning_of(low, high));
+    printf("\n");
 }
 
 static void print_range(const spectrum_range *r)
@@ -219,7 +228,7 @@ static void print_range(const spectrum_range *r)
     else
         printf("blocks %ld to %ld\n", r->m.first, r->m.last);
     if (isfinite(r->upper))
-        printf("  all eigenvalues of modulus at most %.9g\n", ceil(r->upper * 1e9) / 1e9);
+        printf("  all eigenvalues of modulus at most %.9g\n", r->upper < 1 ? ceil(r->upper * 1e9) / 1e9 : r->upper + rounding_of(r->upper));
     else
         printf("  nothing proved\n");
 }

@@ -30,24 +30,37 @@ static void bound_modulus(double *lower, double *upper, const eigenvalue_disc *d
     number_clear(&modulus);
 }
 
-static bool add_disc(spectrum_list *z, const eigenvalue_disc *d, long m, int digits, long prec)
+/* part = all real (i = 0) or imaginary parts of the disc. */
+static void bound_part(number *part, spectrum_entry *e, int i, const eigenvalue_disc *d, long prec)
+{
+    number_add_error(part, i ? &d->im : &d->re, &d->radius, prec);
+    e->lower[i] = number_lower_bound(part);
+    e->upper[i] = number_upper_bound(part);
+}
+
+static bool add_disc(spectrum_list *z, const eigenvalue_disc *d, const block *b, int digits, long prec)
 {
     spectrum_entry *e = spectrum_list_add(z);
-    number part;
+    number part, one;
     if (!e)
         return false;
     number_init(&part);
-    e->m = m;
+    number_init(&one);
+    number_one(&one);
+    e->m = b->m;
     e->count = d->count;
     e->real = d->real;
+    e->real_block = b->imaginary == NULL;
     bound_modulus(&e->modulus_lower, &e->modulus_upper, d, prec);
-    number_add_error(&part, &d->re, &d->radius, prec);
+    bound_part(&part, e, 0, d, prec);
     e->re = number_get_decimal(&part, digits);
+    e->one = b->m == 0 && d->real && number_contains(&part, &one); /* 1 is an eigenvalue of block 0, and discs are disjoint */
     if (!d->real) {
-        number_add_error(&part, &d->im, &d->radius, prec);
+        bound_part(&part, e, 1, d, prec);
         e->im = number_get_decimal(&part, digits);
     }
     number_clear(&part);
+    number_clear(&one);
     return e->re && (d->real || e->im);
 }
 
@@ -105,7 +118,7 @@ status spectrum_list_block(spectrum_list *z, scheme_numbers *numbers, long m, in
         switch (eigenvalues_enclose(&e, b.entry, b.imaginary, b.n, numbers->prec)) {
         case TRUTH_TRUE:
             for (int i = 0; ok && i < e.count; i++)
-                ok = add_disc(z, &e.disc[i], m, digits, numbers->prec);
+                ok = add_disc(z, &e.disc[i], &b, digits, numbers->prec);
             break;
         case TRUTH_UNKNOWN:
             ok = add_bound(z, &b, numbers->prec);

@@ -57,16 +57,26 @@ bool spectrum_list_add_range(spectrum_list *z, frequencies m, double upper)
 
 long spectrum_find_one(const spectrum_list *z)
 {
-    for (size_t i = 0; i < z->count; i++) {
-        const spectrum_entry *e = &z->entry[i];
-        if (e->m == 0 && e->real && e->modulus_lower <= 1 && e->modulus_upper >= 1)
+    for (size_t i = 0; i < z->count; i++)
+        if (z->entry[i].one)
             return (long)i;
-    }
     return -1;
 }
 
-bool spectrum_is_conjugate_pair(const spectrum_entry *x, const spectrum_entry *y)
+/* May the conjugate of a number near x be near y? */
+static bool may_be_conjugates(const spectrum_entry *x, const spectrum_entry *y)
 {
-    return x->m == y->m && !x->real && !y->real && x->count == 1 && y->count == 1
-           && fabs(x->modulus_lower - y->modulus_lower) <= x->modulus_upper - x->modulus_lower + y->modulus_upper - y->modulus_lower;
+    return x->m == y->m && x->lower[0] <= y->upper[0] && y->lower[0] <= x->upper[0] && x->lower[1] <= -y->lower[1] && -y->upper[1] <= x->upper[1];
+}
+
+/* The conjugate of x, which is not real, is an eigenvalue and has an entry: y's if it can be in no other. */
+bool spectrum_is_conjugate_pair(const spectrum_list *z, size_t i, size_t j)
+{
+    const spectrum_entry *x = &z->entry[i], *y = &z->entry[j];
+    if (!x->real_block || !x->re || x->real || x->count != 1 || y->count != 1 || i == j || !y->re || !may_be_conjugates(x, y))
+        return false;
+    for (size_t l = 0; l < z->count; l++)
+        if (l != j && z->entry[l].m == x->m && (!z->entry[l].re || may_be_conjugates(x, &z->entry[l])))
+            return false;
+    return true;
 }

@@ -11,8 +11,11 @@ typedef struct {
     long m;
     int count;
     bool real;
-    char *re, *im; /* decimals that enclose real and imaginary part; im is NULL for real ones */
+    bool one;        /* a single one of block 0 near 1: hence 1 itself */
+    bool real_block; /* of a real matrix, whose eigenvalues come with their conjugates */
+    char *re, *im;   /* decimals that enclose real and imaginary part; im is NULL for real ones */
     double modulus_lower, modulus_upper;
+    double lower[2], upper[2]; /* bounds of real and imaginary part */
 } spectrum_entry;
 
 /* All eigenvalues of the blocks of a range are at most this large; INFINITY: nothing is proved. */
@@ -39,10 +42,10 @@ void spectrum_list_clear(spectrum_list *z);
 /* A new last entry, zeroed; NULL: no memory. */
 spectrum_entry *spectrum_list_add(spectrum_list *z);
 
-/* The index of the eigenvalue 1 of block 0; -1: none is near it. */
+/* The index of the eigenvalue 1 of block 0; -1: it cannot be told from others. */
 long spectrum_find_one(const spectrum_list *z);
-/* Are they two conjugate eigenvalues of one block? */
-bool spectrum_is_conjugate_pair(const spectrum_entry *x, const spectrum_entry *y);
+/* Are the entries i and j certainly two conjugate eigenvalues of one block? */
+bool spectrum_is_conjugate_pair(const spectrum_list *z, size_t i, size_t j);
 /* A new last range, or a longer one if the last one continues with the same bound.  false: no memory. */
 BIGFLOAT_MUST_USE bool spectrum_list_add_range(spectrum_list *z, frequencies m, double upper);
 

@@ -444,7 +444,7 @@ static status examine(survey *z, int digits, bool bounds)
     }
     result = find_lower(z);
     for (size_t i = 0; i < l->count; i++)
-        if ((long)i != one && (long)i != own && !(own >= 0 && spectrum_is_conjugate_pair(&l->entry[own], &l->entry[i])))
+        if ((long)i != one && (long)i != own && !(own >= 0 && spectrum_is_conjugate_pair(l, (size_t)own, i)))
             z->rival = fmax(z->rival, l->entry[i].modulus_upper);
     l->ordered = true;
     l->open = (frequencies){1, 0};

@@ -106,7 +106,7 @@ static void centre_weights(number *centre, number *ring, const scheme *s, long k
     CHECK(scheme_numbers_make(&z, s, k, prec, &d) == STATUS_OK && scheme_numbers_set_frequency(&z, 0, NULL, &d) == STATUS_OK, "k = %ld: %s", k, d.text);
     CHECK(z.steps[0].rule_count == 1 && z.steps[0].rules[0].count == 2, "the rule of the centre");
     r = &z.steps[0].rules[0];
-    number_set(centre, &r->centre);
+    number_set(centre, &r->matrix[0].xx);
     number_set(ring, &r->matrix[1].xx);
     CHECK(r->point[1].a == 1 && r->point[1].b == 0, "the neighbours");
     scheme_numbers_free(&z);

@@ -74,6 +74,98 @@ says at-pi 'in block 500000, simple' "$SRCDIR/bench/twelve.scheme" --valence 100
 # Block 0 has the largest.
 says block-0 'in block 0, simple' loop-ring --valence 1000000 --set z=3/4
 
+# A rule may name the centre twice.
+cat >twice.scheme <<'END'
+scheme twice
+mesh triangle
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 5/8
+  (1,0) 3/8
+  (1,1) 1/8
+  (2,0) 1/16
+end
+rule centre
+  centre 7/8
+  centre 1/4
+  all (1,0) rest
+end
+END
+says centre-twice '  0.75000000000000' ./twice.scheme --valence 5
+# Opposite eigenvalues of a block of complex numbers are no conjugates.
+cat >opposite.scheme <<'END'
+scheme opposite
+mesh triangle
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 5/8
+  (1,0) 3/8
+  (1,1) 1/8
+  (2,0) 1/16
+end
+rule centre
+  centre 5/8
+  all (1,0) rest
+end
+rule (1,0)
+  centre rest
+  (1,0) spectrum cases(m = 0: 5/8; m = 1: 1/2; else: 1/8), 0
+end
+rule (1,1)
+  centre rest
+  (1,1) spectrum cases(m = 1: -1/2; else: 0)
+end
+END
+says opposite 'no eigenvalue but 1 is certainly larger' ./opposite.scheme --valence 5
+# -1 is not 1, and without a tangent plane there is no curvature.
+cat >minus.scheme <<'END'
+scheme minus
+mesh triangle
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 5/8
+  (1,0) 3/8
+  (1,1) 1/8
+  (2,0) 1/16
+end
+rule centre
+  centre 3/8 - 1
+  all (1,0) rest
+end
+END
+# Blocks of which nothing is known are no want of memory.
+cat >unknown.scheme <<'END'
+scheme unknown
+mesh triangle
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 5/8
+  (1,0) 3/8
+  (1,1) 1/8
+  (2,0) 1/16
+end
+rule centre
+  centre 5/8
+  all (1,0) rest
+end
+rule (1,0)
+  centre rest
+  (1,0) spectrum cases(m = 0: 5/8; m = 1: 1/2; else: (1/2)^abs(m - 7777))
+end
+END
+says unknown 'in block 1, simple' ./unknown.scheme --valence 101
+says minus-one 'dominant: L = -1.0' ./minus.scheme --valence 5
+"$SMOOTHCERT" spectrum ./minus.scheme --valence 5 >printed
+if grep curvature printed >found; then
+  echo "FAIL spectrum-no-curvature: $(cat found)"
+else
+  echo "PASS spectrum-no-curvature"
+fi
+
 refuses valence-2 'expected one valence from 3 to 1000000000000000' loop --valence 2
 refuses valence-large 'expected one valence from 3 to 1000000000000000' loop --valence 1000000000000001
 refuses blocks "expected 'all'" loop --valence 7 --blocks some
