@@ -53,6 +53,41 @@ void bernstein_clear(bernstein *z)
     bernstein_init(z);
 }
 
+/* ---- shapes ---- */
+
+bernstein_shape bernstein_get_shape(const bernstein *b, element_type type)
+{
+    bernstein_shape s = {!element_is_segment(type) && element_is_of(type, MESH_TRIANGLE), {b->degree[0], b->degree[1]}};
+    if (element_is_segment(type))
+        s.degree[type == ELEMENT_ALONG_SECOND ? 0 : 1] = 0;
+    return s;
+}
+
+bernstein_shape bernstein_shape_product(bernstein_shape x, bernstein_shape y)
+{
+    x.degree[0] += y.degree[0];
+    x.degree[1] += y.degree[1];
+    return x;
+}
+
+int bernstein_shape_size(bernstein_shape s)
+{
+    return s.triangle ? (s.degree[0] + 1) * (s.degree[0] + 2) / 2 : (s.degree[0] + 1) * (s.degree[1] + 1);
+}
+
+static int64_t binomial(int n, int k)
+{
+    int64_t c = 1;
+    for (int i = 1; i <= k; i++)
+        c = c * (n - k + i) / i;
+    return c;
+}
+
+int64_t bernstein_shape_multiplicity(bernstein_shape s, int i, int j)
+{
+    return s.triangle ? binomial(s.degree[0], j) * binomial(s.degree[0] - j, i) : binomial(s.degree[0], i) * binomial(s.degree[1], j);
+}
+
 /* ---- factors of the mask ---- */
 
 enum { DIRECTIONS = 3 };

@@ -40,4 +40,19 @@ BIGFLOAT_MUST_USE bool bernstein_make(bernstein *z, bool *found, mesh_kind mesh,
 /* z = what a value in the window contributes to a coefficient. */
 BIGFLOAT_MUST_USE bool bernstein_get(rational *z, const bernstein *b, element_type type, int row, int column);
 
+/* The coefficients of one element, by the exponents (i, j): of the weights of v1 and v2 on triangles, i + j <= degree[0] =
+   degree[1]; else of the far ends along e1 and e2.  Segments have one degree, and EDGE has it in the first place. */
+typedef struct {
+    bool triangle;
+    int degree[2];
+} bernstein_shape;
+
+bernstein_shape bernstein_get_shape(const bernstein *b, element_type type);
+bernstein_shape bernstein_shape_product(bernstein_shape x, bernstein_shape y); /* of two polynomials on one element */
+int bernstein_shape_size(bernstein_shape s);
+static inline int bernstein_shape_last(bernstein_shape s, int j) { return s.triangle ? s.degree[0] - j : s.degree[0]; } /* the largest i */
+static inline int bernstein_shape_index(bernstein_shape s, int i, int j) { return j * (s.degree[0] + 1) - (s.triangle ? j * (j - 1) / 2 : 0) + i; }
+/* The binomial coefficients in the Bernstein polynomial (i, j); both degrees at most twice BERNSTEIN_MAX_DEGREE. */
+int64_t bernstein_shape_multiplicity(bernstein_shape s, int i, int j);
+
 #endif

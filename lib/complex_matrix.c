@@ -1,6 +1,8 @@
 /* complex_matrix.c: what eigenvalues.c needs of complex matrices. */
 #include "complex_matrix.h"
 
+#include "matrix_row.h"
+
 bool complex_matrix_make(complex_matrix *z, int n)
 {
     z->n = n;
@@ -18,21 +20,34 @@ void complex_matrix_free(complex_matrix *z)
     z->re = z->im = NULL;
 }
 
+static bool is_zero(const number *x, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (number_is_zero(&x[i]) != TRUTH_TRUE)
+            return false;
+    return true;
+}
+
+/* Where imaginary parts are exactly 0, as often they are, there is nothing to multiply. */
 void complex_matrix_multiply(complex_matrix *z, const complex_matrix *x, const complex_matrix *y, long prec)
 {
     int n = z->n;
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            number *re = &z->re[i * n + j], *im = &z->im[i * n + j];
-            number_zero(re);
-            number_zero(im);
-            for (int l = 0; l < n; l++) {
-                number_addmul(re, &x->re[i * n + l], &y->re[l * n + j], prec);
-                number_submul(re, &x->im[i * n + l], &y->im[l * n + j], prec);
-                number_addmul(im, &x->re[i * n + l], &y->im[l * n + j], prec);
-                number_addmul(im, &x->im[i * n + l], &y->re[l * n + j], prec);
-            }
-        }
+    bool y_real = is_zero(y->im, n * n);
+    for (int i = 0; i < n * n; i++) {
+        number_zero(&z->re[i]);
+        number_zero(&z->im[i]);
+    }
+    for (int i = 0; i < n; i++) {
+        const number *re = &x->re[i * n], *im = &x->im[i * n];
+        bool row_real = is_zero(im, n);
+        matrix_add_row(&z->re[i * n], re, y->re, n, false, prec);
+        if (!y_real)
+            matrix_add_row(&z->im[i * n], re, y->im, n, false, prec);
+        if (!row_real)
+            matrix_add_row(&z->im[i * n], im, y->re, n, false, prec);
+        if (!row_real && !y_real)
+            matrix_add_row(&z->re[i * n], im, y->im, n, true, prec);
+    }
 }
 
 void complex_matrix_thin(complex_matrix *z, long prec)

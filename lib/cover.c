@@ -70,6 +70,15 @@ static void leave_open(cover_answer *z, frequencies m)
     z->proved = false;
 }
 
+static bool stops(cover_answer *z, const cover_stop *stop)
+{
+    if (stop && stop->passed && stop->passed(stop->data)) {
+        z->stopped = true;
+        z->proved = false;
+    }
+    return z->stopped;
+}
+
 /* Boxes grow faster and faster as long as that succeeds; once it has failed they grow more carefully, for what the
    gap allows changes slowly. */
 typedef struct {
@@ -105,6 +114,10 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
     while (m.first <= m.last) {
         long width = clip(s.width, m.last - m.first + 1);
         frequencies here = {m.first, m.first + width - 1};
+        if (stops(&z, &limits->stop)) {
+            z.open = z.open.first ? z.open : here;
+            return z;
+        }
         box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
         bool proved = b.answer.contracts == TRUTH_TRUE;
         z.tries++;
@@ -141,7 +154,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
     return z;
 }
 
-cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d)
+cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_stop *stop, diagnostic *d)
 {
     cover_answer z = {.status = BLOCK_OK, .proved = true};
     if (!cover_list_partitions(list, m)) {
@@ -151,6 +164,8 @@ cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const
     for (size_t i = 0; i < list->count; i++) {
         const cover_box *box = &list->box[i];
         box_answer b;
+        if (stops(&z, stop))
+            return z;
         if (box->power < 0) {
             leave_open(&z, box->m);
             continue;

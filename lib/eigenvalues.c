@@ -51,6 +51,49 @@ static void load(complex_matrix *z, const double complex *a, long prec)
     }
 }
 
+#define GUARD 32
+
+/* An entry of a column or row that is smaller than this, relative to the largest one, may as well be 0. */
+#define NEGLIGIBLE 1e-9
+
+/* Is the column real but for a common factor?  phase = that factor. */
+static bool is_nearly_real(double complex *phase, const double complex *column, int n)
+{
+    double complex largest = 0;
+    for (int i = 0; i < n; i++)
+        if (cabs(column[i * n]) > cabs(largest))
+            largest = column[i * n];
+    *phase = largest / cabs(largest);
+    for (int i = 0; i < n; i++)
+        if (!(fabs(cimag(column[i * n] / *phase)) <= NEGLIGIBLE * cabs(largest)))
+            return false;
+    return true;
+}
+
+/* The basis of a real matrix is a suggestion that costs less where it is real, too. */
+static void make_real(double complex *v, double complex *w, int n)
+{
+    for (int j = 0; j < n; j++) {
+        double complex phase;
+        if (!is_nearly_real(&phase, v + j, n))
+            continue;
+        for (int i = 0; i < n; i++) {
+            v[i * n + j] = creal(v[i * n + j] / phase);
+            w[j * n + i] *= phase;
+        }
+    }
+    for (int j = 0; j < n; j++) {
+        double largest = 0;
+        bool small = true;
+        for (int i = 0; i < n; i++)
+            largest = fmax(largest, cabs(w[j * n + i]));
+        for (int i = 0; i < n; i++)
+            small = small && fabs(cimag(w[j * n + i])) <= NEGLIGIBLE * largest;
+        for (int i = 0; small && i < n; i++)
+            w[j * n + i] = creal(w[j * n + i]);
+    }
+}
+
 /* v and w from doubles.  TRUTH_FALSE: no memory. */
 static truth start(workspace *s)
 {
@@ -64,6 +107,8 @@ static truth start(workspace *s)
             largest = fmax(largest, cabs(a[i]));
         }
         found = block_diagonalise_approx(a + square, a + 2 * square, s->group, a, s->n, GROUP_DISTANCE * largest) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+        if (found == TRUTH_TRUE && !s->im)
+            make_real(a + square, a + 2 * square, s->n);
         if (found == TRUTH_TRUE) {
             load(&s->v, a + square, s->prec);
             load(&s->w, a + 2 * square, s->prec);
@@ -424,8 +469,11 @@ truth eigenvalues_enclose(eigenvalues *z, const number *b, const number *imagina
     if (made && z->disc)
         found = start(&s);
     if (found == TRUTH_TRUE) {
-        for (long good = 45; good < prec; good *= 2)
+        for (long good = 45; good < prec; good *= 2) { /* as many digits as the step can make right, and some */
+            s.prec = 2 * good + GUARD < prec ? 2 * good + GUARD : prec;
             improve(&s);
+        }
+        s.prec = prec;
         if (prec > 53)
             improve_inverse(&s);
         found = account_for_defect(&s) ? TRUTH_TRUE : TRUTH_UNKNOWN;

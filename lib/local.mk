@@ -31,6 +31,7 @@ LIB_SOURCES = \
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
+  lib/matrix_row.h \
   lib/formula_value.h lib/formula_value.c \
   lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
@@ -43,7 +44,8 @@ LIB_GENERIC_SOURCES = \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
   lib/monotone.h lib/monotone.c \
-  lib/charnet.h lib/charnet.c
+  lib/charnet.h lib/charnet.c \
+  lib/patch.h lib/patch.c
 
 # Compiled for jets of every kind of number, too.
 LIB_JET_SOURCES = \

@@ -1,6 +1,8 @@
 /* spectrum.c: rho(C)^(2^p) <= |C^(2^p)| in the maximum norm. */
 #include "spectrum.h"
 
+#include "matrix_row.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -48,13 +50,10 @@ void matrix_deflate_complex(number *z, const number *b, const number *x, int n, 
 
 static void square(number *z, const number *c, int n, long prec)
 {
+    for (int i = 0; i < n * n; i++)
+        number_zero(&z[i]);
     for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            number *entry = &z[i * n + j];
-            number_zero(entry);
-            for (int l = 0; l < n; l++)
-                number_addmul(entry, &c[i * n + l], &c[l * n + j], prec);
-        }
+        matrix_add_row(&z[i * n], &c[i * n], c, n, false, prec);
 }
 
 /* norm = the largest row sum of magnitudes.  Returns the largest magnitude that is certainly attained, roughly: the

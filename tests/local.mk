@@ -55,7 +55,8 @@ VERIFY_TESTS = \
   tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove \
-  tests/verify/t-uniform
+  tests/verify/t-uniform \
+  tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
@@ -63,6 +64,7 @@ tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
+tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
@@ -89,7 +91,8 @@ GENERIC_TESTS = \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
   tests/lib/t-ring \
-  tests/verify/t-uniform_net
+  tests/verify/t-uniform_net \
+  tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
@@ -100,6 +103,7 @@ SCRIPT_TESTS = \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
+  tests/verify/cases.sh \
   tests/verify/cli.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh
@@ -112,7 +116,9 @@ EXTRA_DIST += \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
   tests/certificates/schemes \
   tests/certificates/accept \
-  tests/certificates/reject
+  tests/certificates/accept-1 \
+  tests/certificates/reject \
+  tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 

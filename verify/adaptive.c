@@ -16,8 +16,13 @@ typedef struct {
     tree_word *word;
     long prec;
     windows level[TREE_MAX_DEPTH + 1]; /* level 0 borrowed, the others made when first needed */
-    adaptive_box box[ADAPTIVE_MAX_NETS];
-    number stability[ADAPTIVE_MAX_NETS], spread;
+    number box_x[ADAPTIVE_MAX_NETS], box_y[ADAPTIVE_MAX_NETS];
+    number stability[ADAPTIVE_MAX_NETS], spread, quantity;
+    /* for polynomials; NULL if there are none */
+    number *wide, *scratch;                                     /* a window's values with their errors */
+    number *patch_x[ADAPTIVE_MAX_NETS], *patch_y[ADAPTIVE_MAX_NETS]; /* the nets' coefficients */
+    number *product;                                            /* those of the quantity */
+    size_t wide_size, scratch_size, patch_size[ADAPTIVE_MAX_NETS], product_size;
 } run;
 
 static bool make_level(run *r, int level)
@@ -46,7 +51,8 @@ static void free_levels(run *r)
         }
 }
 
-outcome adaptive_sign(double *margin, const number *x)
+/* Is x > 0?  *margin = a lower bound of x. */
+static outcome sign(double *margin, const number *x)
 {
     *margin = number_lower_bound(x);
     if (number_lacks_memory(x))
@@ -55,6 +61,8 @@ outcome adaptive_sign(double *margin, const number *x)
         return OUTCOME_TRUE;
     return number_is_negative(x) == TRUTH_TRUE ? OUTCOME_FALSE : OUTCOME_UNDEFINED;
 }
+
+/* ---- boxes ---- */
 
 /* box = middle of the values +- K (how far they are from it + radius). */
 static void make_box(number *box, run *r, int net, const number *value, int count, const number *radius)
@@ -69,16 +77,154 @@ static void make_box(number *box, run *r, int net, const number *value, int coun
     number_add_error(box, box, &r->spread, r->prec);
 }
 
-static outcome decide(run *r, element_type type, int level, double *margin)
+static outcome decide_by_boxes(run *r, element_type type, int level, double *margin)
 {
     const adaptive_task *task = r->task;
+    const number *x[ADAPTIVE_MAX_NETS], *y[ADAPTIVE_MAX_NETS];
     for (int i = 0; i < task->nets; i++) {
         const charnet_windows *w = task->windows[i];
-        make_box(&r->box[i].x, r, i, r->level[level].x[i], w->window[type], &w->radius[0]);
-        make_box(&r->box[i].y, r, i, r->level[level].y[i], w->window[type], &w->radius[1]);
+        make_box(&r->box_x[i], r, i, r->level[level].x[i], w->window[type], &w->radius[0]);
+        make_box(&r->box_y[i], r, i, r->level[level].y[i], w->window[type], &w->radius[1]);
+        x[i] = &r->box_x[i];
+        y[i] = &r->box_y[i];
     }
-    return task->decide(margin, r->box, task->data, r->prec);
+    number_zero(&r->quantity);
+    task->quantity(&r->quantity, x, y, task->data, r->prec);
+    return sign(margin, &r->quantity);
 }
+
+/* ---- polynomials ---- */
+
+static bool has_polynomials(const adaptive_task *task)
+{
+    for (int i = 0; i < task->nets; i++)
+        if (!task->patch[i])
+            return false;
+    return true;
+}
+
+static size_t most_rows(const bernstein *b)
+{
+    int most = 0;
+    for (int t = 0; t < ELEMENT_TYPES; t++)
+        most = b->rows[t] > most ? b->rows[t] : most;
+    return (size_t)most;
+}
+
+static bool make_patches(run *r)
+{
+    const adaptive_task *task = r->task;
+    int d0 = 0, d1 = 0;
+    bool ok = true;
+    for (int i = 0; i < task->nets; i++) {
+        const bernstein *b = task->patch[i]->exact;
+        size_t scratch = (size_t)patch_scratch(b), stride = (size_t)task->windows[i]->stride;
+        r->scratch_size = scratch > r->scratch_size ? scratch : r->scratch_size;
+        r->wide_size = stride > r->wide_size ? stride : r->wide_size;
+        r->patch_size[i] = most_rows(b);
+        r->patch_x[i] = number_array_new(r->patch_size[i]);
+        r->patch_y[i] = number_array_new(r->patch_size[i]);
+        ok = ok && r->patch_x[i] && r->patch_y[i];
+        d0 += b->degree[0];
+        d1 += b->degree[1];
+    }
+    r->product_size = (size_t)(d0 + 1) * (size_t)(d1 + 1); /* more than enough on triangles */
+    r->wide = number_array_new(r->wide_size);
+    r->scratch = number_array_new(r->scratch_size);
+    r->product = number_array_new(r->product_size);
+    return ok && r->wide && r->scratch && r->product;
+}
+
+static void free_array(number *a, size_t size)
+{
+    if (a)
+        number_array_free(a, size);
+}
+
+static void free_patches(run *r)
+{
+    for (int i = 0; i < r->task->nets; i++) {
+        free_array(r->patch_x[i], r->patch_size[i]);
+        free_array(r->patch_y[i], r->patch_size[i]);
+    }
+    free_array(r->wide, r->wide_size);
+    free_array(r->scratch, r->scratch_size);
+    free_array(r->product, r->product_size);
+}
+
+/* The values that are near the thin ones by the radius of the net: at every level, for no weight is negative and weights
+   sum to 1. */
+static void make_patch(number *c, run *r, int net, element_type type, const number *value, const number *radius)
+{
+    int count = r->task->windows[net]->window[type];
+    for (int i = 0; i < count; i++)
+        number_add_error(&r->wide[i], &value[i], radius, r->prec);
+    patch_coefficients(c, r->task->patch[net], type, r->wide, r->scratch, r->prec);
+}
+
+/* r->product[the exponents of the factors added] += the quantity of the coefficients (i, j) of net 0 and those of the
+   others. */
+static void multiply_row(run *r, const bernstein_shape shape[], bernstein_shape product, int i, int j)
+{
+    const adaptive_task *task = r->task;
+    int at = bernstein_shape_index(shape[0], i, j);
+    const number *x[ADAPTIVE_MAX_NETS] = {&r->patch_x[0][at]}, *y[ADAPTIVE_MAX_NETS] = {&r->patch_y[0][at]};
+    if (task->nets == 1) {
+        task->quantity(&r->product[at], x, y, task->data, r->prec);
+        return;
+    }
+    for (int l = 0; l <= shape[1].degree[1]; l++)
+        for (int k = 0; k <= bernstein_shape_last(shape[1], l); k++) {
+            at = bernstein_shape_index(shape[1], k, l);
+            x[1] = &r->patch_x[1][at];
+            y[1] = &r->patch_y[1][at];
+            task->quantity(&r->product[bernstein_shape_index(product, i + k, j + l)], x, y, task->data, r->prec);
+        }
+}
+
+/* Are all coefficients of the quantity positive?  A corner's is its value there; the Bernstein coefficients, which bound it,
+   are those of the homogeneous polynomial over their multiplicities. */
+static outcome sign_of_coefficients(double *margin, const number *c, bernstein_shape s)
+{
+    outcome result = OUTCOME_TRUE;
+    *margin = INFINITY;
+    for (int j = 0; j <= s.degree[1]; j++)
+        for (int i = 0; i <= bernstein_shape_last(s, j); i++) {
+            bool corner = (j == 0 || j == s.degree[1]) && (i == 0 || i == bernstein_shape_last(s, j));
+            double lower;
+            outcome o = sign(&lower, &c[bernstein_shape_index(s, i, j)]);
+            if (o == OUTCOME_NO_MEMORY || (o == OUTCOME_FALSE && corner))
+                return o;
+            if (o != OUTCOME_TRUE)
+                result = OUTCOME_UNDEFINED;
+            lower = lower / (double)bernstein_shape_multiplicity(s, i, j) * (1 - 0x1p-48);
+            *margin = fmin(*margin, lower);
+        }
+    return result;
+}
+
+static outcome decide_by_coefficients(run *r, element_type type, int level, double *margin)
+{
+    const adaptive_task *task = r->task;
+    bernstein_shape shape[ADAPTIVE_MAX_NETS], product = {0, {0, 0}};
+    for (int i = 0; i < task->nets; i++) {
+        const charnet_windows *w = task->windows[i];
+        if (task->patch[i]->exact->rows[type] == 0)
+            return OUTCOME_UNDEFINED;
+        shape[i] = bernstein_get_shape(task->patch[i]->exact, type);
+        product = i == 0 ? shape[i] : bernstein_shape_product(product, shape[i]);
+        make_patch(r->patch_x[i], r, i, type, r->level[level].x[i], &w->radius[0]);
+        make_patch(r->patch_y[i], r, i, type, r->level[level].y[i], &w->radius[1]);
+    }
+    for (int i = 0; i < bernstein_shape_size(product); i++)
+        number_zero(&r->product[i]);
+    for (int j = 0; j <= shape[0].degree[1]; j++)
+        for (int i = 0; i <= bernstein_shape_last(shape[0], j); i++)
+            multiply_row(r, shape, product, i, j);
+    return sign_of_coefficients(margin, r->product, product);
+}
+
+/* ---- the trees ---- */
 
 static void refine(number *child, const number *parent, const element_refinement *refinement, const mask_numbers *mask, long prec)
 {
@@ -89,21 +235,28 @@ static void refine(number *child, const number *parent, const element_refinement
     }
 }
 
-static outcome examine(run *r, element_type type, int level);
-
-static outcome split(run *r, element_type type, int level)
+/* The windows of one child at the next level. */
+static outcome make_child(run *r, element_type type, int child, int level)
 {
     const adaptive_task *task = r->task;
     if (!make_level(r, level + 1))
         return OUTCOME_NO_MEMORY;
+    for (int i = 0; i < task->nets; i++) {
+        const element_refinement *refinement = &task->geometry->stencil[task->which[i]].child[type][child];
+        refine(r->level[level + 1].x[i], r->level[level].x[i], refinement, task->mask[i], r->prec);
+        refine(r->level[level + 1].y[i], r->level[level].y[i], refinement, task->mask[i], r->prec);
+    }
+    return OUTCOME_TRUE;
+}
+
+static outcome examine(run *r, element_type type, int level);
+
+static outcome split(run *r, element_type type, int level)
+{
     for (int c = 0; c < element_children(type); c++) {
-        outcome o;
-        for (int i = 0; i < task->nets; i++) {
-            const element_refinement *refinement = &task->geometry->stencil[task->which[i]].child[type][c];
-            refine(r->level[level + 1].x[i], r->level[level].x[i], refinement, task->mask[i], r->prec);
-            refine(r->level[level + 1].y[i], r->level[level].y[i], refinement, task->mask[i], r->prec);
-        }
-        o = examine(r, element_get_child(type, c).type, level + 1);
+        outcome o = make_child(r, type, c, level);
+        if (o == OUTCOME_TRUE)
+            o = examine(r, element_get_child(type, c).type, level + 1);
         if (o != OUTCOME_TRUE)
             return o;
     }
@@ -119,27 +272,35 @@ static outcome leaf(run *r, double margin)
 static outcome follow(run *r, element_type type, int level)
 {
     double margin = -INFINITY;
-    outcome o;
+    outcome o = OUTCOME_FALSE;
     switch (tree_get(r->word)) {
-    case '0':
-        o = decide(r, type, level, &margin);
-        return o == OUTCOME_TRUE ? leaf(r, margin) : o == OUTCOME_NO_MEMORY ? o : OUTCOME_FALSE;
-    case '1':
+    case TREE_BOXES:
+        o = decide_by_boxes(r, type, level, &margin);
+        break;
+    case TREE_COEFFICIENTS:
+        if (r->product)
+            o = decide_by_coefficients(r, type, level, &margin);
+        break;
+    case TREE_SPLIT:
         return level < TREE_MAX_DEPTH ? split(r, type, level) : OUTCOME_FALSE;
-    default:
-        return OUTCOME_FALSE;
     }
+    return o == OUTCOME_TRUE ? leaf(r, margin) : o == OUTCOME_NO_MEMORY ? o : OUTCOME_FALSE;
 }
 
 static outcome search(run *r, element_type type, int level)
 {
     double margin = -INFINITY;
-    outcome o = decide(r, type, level, &margin);
+    char letter = TREE_BOXES;
+    outcome o = decide_by_boxes(r, type, level, &margin);
+    if (o == OUTCOME_UNDEFINED && r->product) {
+        letter = TREE_COEFFICIENTS;
+        o = decide_by_coefficients(r, type, level, &margin);
+    }
     if (o == OUTCOME_NO_MEMORY || o == OUTCOME_FALSE)
         return o;
     if (r->word->length >= TREE_MAX_LETTERS / 2)
         return OUTCOME_UNDEFINED;
-    if (!tree_put(r->word, o == OUTCOME_TRUE ? '0' : '1'))
+    if (!tree_put(r->word, o == OUTCOME_TRUE ? letter : TREE_SPLIT))
         return OUTCOME_NO_MEMORY;
     if (o == OUTCOME_TRUE)
         return leaf(r, margin);
@@ -155,44 +316,150 @@ static outcome examine(run *r, element_type type, int level)
     return r->task->replay ? follow(r, type, level) : search(r, type, level);
 }
 
-outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)
+static run *run_make(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)
 {
-    outcome o = OUTCOME_TRUE;
     run *r = calloc(1, sizeof *r);
     *report = (adaptive_report){0, 0, INFINITY};
     if (!r)
-        return OUTCOME_NO_MEMORY;
+        return NULL;
     r->task = task;
     r->report = report;
     r->word = word;
     r->prec = prec;
-    word->at = 0;
-    if (!task->replay)
-        tree_reset(word);
     number_init(&r->spread);
+    number_init(&r->quantity);
     for (int i = 0; i < task->nets; i++) {
-        number_init(&r->box[i].x);
-        number_init(&r->box[i].y);
+        number_init(&r->box_x[i]);
+        number_init(&r->box_y[i]);
         number_init(&r->stability[i]);
         number_set_si(&r->stability[i], task->stability[i], prec);
         number_mul_2exp(&r->stability[i], &r->stability[i], -10, prec);
     }
+    return r;
+}
+
+static void run_free(run *r)
+{
+    for (int i = 0; i < r->task->nets; i++) {
+        number_clear(&r->box_x[i]);
+        number_clear(&r->box_y[i]);
+        number_clear(&r->stability[i]);
+    }
+    number_clear(&r->spread);
+    number_clear(&r->quantity);
+    free_patches(r);
+    free_levels(r);
+    free(r);
+}
+
+static void start_element(run *r, int which)
+{
+    for (int i = 0; i < r->task->nets; i++) {
+        r->level[0].x[i] = r->task->windows[i]->x + which * r->task->windows[i]->stride;
+        r->level[0].y[i] = r->task->windows[i]->y + which * r->task->windows[i]->stride;
+    }
+}
+
+outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)
+{
+    outcome o = OUTCOME_TRUE;
+    run *r = run_make(report, word, task, prec);
+    if (!r)
+        return OUTCOME_NO_MEMORY;
+    word->at = 0;
+    if (!task->replay)
+        tree_reset(word);
+    if (!task->boxes_only && has_polynomials(task) && !make_patches(r))
+        o = OUTCOME_NO_MEMORY;
     for (int e = 0; o == OUTCOME_TRUE && e < task->count; e++) {
-        for (int i = 0; i < task->nets; i++) {
-            r->level[0].x[i] = task->windows[i]->x + e * task->windows[i]->stride;
-            r->level[0].y[i] = task->windows[i]->y + e * task->windows[i]->stride;
-        }
+        start_element(r, e);
         o = examine(r, task->elements[e].type, 0);
     }
     if (o == OUTCOME_TRUE && task->replay && !tree_at_end(word))
         o = OUTCOME_FALSE;
-    for (int i = 0; i < task->nets; i++) {
-        number_clear(&r->box[i].x);
-        number_clear(&r->box[i].y);
-        number_clear(&r->stability[i]);
+    run_free(r);
+    return o;
+}
+
+/* ---- one element ---- */
+
+/* A search looks at so many boxes, and so many levels deep. */
+enum { SEEK_MOST = 20000, SEEK_DEPTH = 8 };
+
+/* Down from a node to `depth`, where boxes are tried; nothing below a box on which the opposite holds is of use. */
+static outcome seek_below(run *r, witness_choice *w, element_type type, int level, int depth)
+{
+    double margin;
+    outcome o = decide_by_boxes(r, type, level, &margin);
+    r->report->examined++;
+    if (o == OUTCOME_TRUE) {
+        w->depth = level;
+        w->path[level] = '\0';
+        r->report->margin = margin;
+        r->report->level = level;
     }
-    number_clear(&r->spread);
-    free_levels(r);
-    free(r);
+    if (o != OUTCOME_UNDEFINED || level == depth || r->report->examined > SEEK_MOST)
+        return o == OUTCOME_UNDEFINED ? OUTCOME_FALSE : o;
+    if (deadline_passed(r->task->deadline))
+        return OUTCOME_STOPPED;
+    for (int c = 0; c < element_children(type); c++) {
+        o = make_child(r, type, c, level);
+        w->path[level] = (char)('0' + c);
+        if (o == OUTCOME_TRUE)
+            o = seek_below(r, w, element_get_child(type, c).type, level + 1, depth);
+        if (o != OUTCOME_FALSE)
+            return o;
+    }
+    return OUTCOME_FALSE;
+}
+
+/* Level by level, so that the witness is a large one. */
+static outcome seek(run *r, witness_choice *w)
+{
+    for (int depth = 0; depth <= SEEK_DEPTH && r->report->examined <= SEEK_MOST; depth++)
+        for (int e = 0; e < r->task->count; e++) {
+            outcome o;
+            start_element(r, e);
+            w->element = e;
+            o = seek_below(r, w, r->task->elements[e].type, 0, depth);
+            if (o != OUTCOME_FALSE)
+                return o;
+        }
+    return OUTCOME_FALSE;
+}
+
+static outcome follow_path(run *r, const witness_choice *w)
+{
+    element_type type;
+    double margin;
+    outcome o = OUTCOME_TRUE;
+    if (w->element >= r->task->count || w->depth > TREE_MAX_DEPTH)
+        return OUTCOME_FALSE;
+    start_element(r, w->element);
+    type = r->task->elements[w->element].type;
+    for (int level = 0; level < w->depth; level++) {
+        int child = w->path[level] - '0';
+        if (child < 0 || child >= element_children(type))
+            return OUTCOME_FALSE;
+        o = make_child(r, type, child, level);
+        if (o != OUTCOME_TRUE)
+            return o;
+        type = element_get_child(type, child).type;
+    }
+    o = decide_by_boxes(r, type, w->depth, &margin);
+    r->report->examined = 1;
+    r->report->level = w->depth;
+    r->report->margin = margin;
+    return o == OUTCOME_TRUE || o == OUTCOME_NO_MEMORY ? o : OUTCOME_FALSE;
+}
+
+outcome adaptive_seek(adaptive_report *report, witness_choice *witness, const adaptive_task *task, long prec)
+{
+    outcome o;
+    run *r = run_make(report, NULL, task, prec);
+    if (!r)
+        return OUTCOME_NO_MEMORY;
+    o = task->replay ? follow_path(r, witness) : seek(r, witness);
+    run_free(r);
     return o;
 }

@@ -3,30 +3,24 @@
 
    On an element a limit value differs from the middle of the thin values in the element's window by at most K times
    their distance from it, and by K times the nets' radius (K: lib/stability.h): that is the element's box.  If the
-   boxes do not decide, the children's windows are computed and tried. */
+   boxes do not decide and limits are polynomials on the element, their coefficients may (lib/patch.h).  If these do not
+   either, the children's windows are computed and tried. */
 #ifndef VERIFY_ADAPTIVE_H
 #define VERIFY_ADAPTIVE_H
 
 #include "../lib/charnet.h"
+#include "../lib/patch.h"
+#include "choices.h"
 #include "deadline.h"
 #include "outcome.h"
 #include "tree.h"
 
 #define adaptive_run NUMBER_NAME(adaptive_run)
+#define adaptive_seek NUMBER_NAME(adaptive_seek)
 
-/* The box of one net on one element. */
-typedef struct {
-    number x, y;
-} adaptive_box;
-
-/* Decides an element from the boxes of its nets.  OUTCOME_TRUE: the property wanted holds on it.  OUTCOME_FALSE: its
-   opposite holds on it.  OUTCOME_UNDEFINED: the boxes leave it open.  *margin, a lower bound of the quantity that
-   must be positive, may be -infinity. */
-typedef outcome (*adaptive_decision)(double *margin, const adaptive_box *box, const void *data, long prec);
-
-#define adaptive_sign NUMBER_NAME(adaptive_sign)
-/* The decision whose property is x > 0, and its margin. */
-outcome adaptive_sign(double *margin, const number *x);
+/* z = z + the quantity that is to be positive, of the values (x[i], y[i]) of the nets i.  It must be linear in the pair of
+   each net: then what it makes of two polynomials follows from what it makes of each pair of coefficients. */
+typedef void (*adaptive_quantity)(number *z, const number *const x[], const number *const y[], const void *data, long prec);
 
 enum { ADAPTIVE_MAX_NETS = 2 };
 
@@ -39,8 +33,10 @@ typedef struct {
     const charnet_windows *windows[ADAPTIVE_MAX_NETS];
     const mask_numbers *mask[ADAPTIVE_MAX_NETS];
     int64_t stability[ADAPTIVE_MAX_NETS];    /* K of each net, in units of 1/1024 */
-    adaptive_decision decide;
+    const patch_numbers *patch[ADAPTIVE_MAX_NETS]; /* NULL unless all masks are of box splines */
+    adaptive_quantity quantity;
     const void *data;
+    bool boxes_only;  /* the quantity is not as polynomials need it */
     bool replay;      /* follow the word instead of writing it */
     int max_level;    /* of subdivision */
     const deadline *deadline;
@@ -48,14 +44,18 @@ typedef struct {
 
 /* What a run looked like. */
 typedef struct {
-    long examined; /* elements whose boxes were tried, or that were split as the word said */
+    long examined; /* elements whose boxes or coefficients were tried, or that were split as the word said */
     int level;     /* the deepest */
-    double margin; /* the smallest over the leaves */
+    double margin; /* the quantity is at least this everywhere, as far as leaves were reached; may be -infinity */
 } adaptive_report;
 
 /* OUTCOME_TRUE: the property is proved on all elements, by the trees in `word` (written, or followed to its end).
    OUTCOME_FALSE: the opposite holds on some element; in a replay also: the word does not prove it.
    OUTCOME_STOPPED: there was no time. */
 outcome adaptive_run(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec);
+
+/* OUTCOME_TRUE: the quantity is positive on the box of the descendant that the witness names (found, or followed in a
+   replay).  OUTCOME_FALSE: no witness was found, or it is none. */
+outcome adaptive_seek(adaptive_report *report, witness_choice *witness, const adaptive_task *task, long prec);
 
 #endif

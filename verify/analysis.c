@@ -16,15 +16,47 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
 
 /* ---- what several tests need ---- */
 
-/* The frequency was last set to that of the last block: it has to be 1 again. */
+/* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
+   B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
+static number *plain_eigenvector(const analysis *a)
+{
+    int n = a->dominant.n;
+    const number *eigenvalue = &a->box[a->order];
+    number *z = number_array_new((size_t)n + 1);
+    number rest;
+    if (!z)
+        return NULL;
+    number_init(&rest);
+    for (int j = 1; j < n; j++)
+        number_addmul(&z[0], &a->dominant.entry[j], &a->box[j - 1], a->prec);
+    number_one(&rest);
+    number_sub(&rest, eigenvalue, &rest, a->prec);
+    number_div(&z[0], &z[0], &rest, a->prec);
+    for (int j = 1; j < n; j++)
+        number_add(&z[j], &a->box[j - 1], &z[0], a->prec);
+    number_set(&z[n], eigenvalue);
+    number_clear(&rest);
+    return z;
+}
+
+/* The frequency was last set to that of the last block: it has to be that of L again. */
 outcome analysis_make_net(analysis *a)
 {
+    long m = a->choices->frequency;
     diagnostic d;
+    number *plain = NULL;
+    block_status made = BLOCK_NO_MEMORY;
     if (a->net_made)
         return OUTCOME_TRUE;
-    if (scheme_numbers_set_frequency(&a->numbers, 1, &a->dominant.twist, &d) != STATUS_OK)
+    if (scheme_numbers_set_frequency(&a->numbers, m, m ? &a->dominant.twist : NULL, &d) != STATUS_OK)
         return OUTCOME_NO_MEMORY;
-    switch (charnet_make(&a->net, &a->dominant, a->box, &a->numbers, a->plan->problem->geometry.rings)) {
+    if (m == 0)
+        plain = plain_eigenvector(a);
+    if (m > 0 || plain)
+        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, &a->numbers, a->plan->problem->geometry.rings);
+    if (plain)
+        number_array_free(plain, (size_t)a->dominant.n + 1);
+    switch (made) {
     case BLOCK_OK:
         a->net_made = true;
         return OUTCOME_TRUE;
@@ -40,38 +72,60 @@ static outcome from_block(block_status s)
     return s == BLOCK_OK ? OUTCOME_TRUE : s == BLOCK_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
 }
 
-outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count)
+/* The task with everything that is the same for all tests; windows[0..*made) are the caller's to free. */
+static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *windows, int *made, const element *elements, int count)
 {
     const problem *p = a->plan->problem;
-    charnet_windows windows[ADAPTIVE_MAX_NETS];
-    adaptive_report report = {0, 0, NAN};
-    attempt *log = findings_last(a->findings);
     outcome o = analysis_make_net(a);
-    int made = 0;
     task->geometry = &p->geometry;
     task->elements = elements;
     task->count = count;
     task->replay = a->replay;
     task->max_level = a->plan->max_level;
     task->deadline = a->plan->deadline;
-    for (; o == OUTCOME_TRUE && made < task->nets; made++) {
-        int which = task->which[made];
-        o = from_block(charnet_windows_make(&windows[made], &a->net, &p->geometry, which, elements, count, a->prec));
-        task->windows[made] = &windows[made];
-        task->mask[made] = &a->mask[which];
-        task->stability[made] = a->choices->stability[which].bound;
+    for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
+        int i = *made, which = task->which[i];
+        o = from_block(charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec));
+        task->windows[i] = &windows[i];
+        task->mask[i] = &a->mask[which];
+        task->patch[i] = p->polynomial ? &a->patch[which] : NULL;
+        task->stability[i] = a->choices->stability[which].bound;
     }
+    return o;
+}
+
+static outcome note_report(analysis *a, outcome o, const adaptive_report *report)
+{
+    attempt *log = findings_last(a->findings);
+    log->max_level = a->plan->max_level;
+    log->level = report->level;
+    log->elements = report->examined;
+    log->bound = report->margin;
+    return o == OUTCOME_STOPPED ? findings_explain(a->findings, o, "no time left") : o;
+}
+
+/* By trees in `word`, or, if there is none, one witness. */
+static outcome run_adaptive(analysis *a, adaptive_task *task, tree_word *word, witness_choice *witness, const element *elements, int count)
+{
+    charnet_windows windows[ADAPTIVE_MAX_NETS];
+    adaptive_report report = {0, 0, NAN};
+    int made;
+    outcome o = prepare(a, task, windows, &made, elements, count);
     if (o == OUTCOME_TRUE)
-        o = adaptive_run(&report, word, task, a->prec);
+        o = word ? adaptive_run(&report, word, task, a->prec) : adaptive_seek(&report, witness, task, a->prec);
     for (int i = 0; i < made; i++)
         charnet_windows_free(&windows[i]);
-    log->max_level = a->plan->max_level;
-    log->level = report.level;
-    log->elements = report.examined;
-    log->bound = report.margin;
-    if (o == OUTCOME_STOPPED)
-        findings_explain(a->findings, o, "no time left");
-    return o;
+    return note_report(a, o, &report);
+}
+
+outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count)
+{
+    return run_adaptive(a, task, word, NULL, elements, count);
+}
+
+outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count)
+{
+    return run_adaptive(a, task, NULL, witness, elements, count);
 }
 
 /* ---- the regular part ---- */
@@ -111,7 +165,7 @@ static outcome evaluate_scheme(analysis *a)
     const problem *p = a->plan->problem;
     diagnostic d;
     for (int i = 0; i < RING_NETS; i++)
-        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec))
+        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], a->prec)))
             return OUTCOME_NO_MEMORY;
     switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
     case STATUS_OK:
@@ -129,7 +183,10 @@ typedef struct {
     test_name name;
     const char *words;
     outcome (*run)(analysis *);
+    unsigned claims; /* that need it: 1 << claim_kind */
 } analysis_test;
+
+enum { C1 = 1 << CLAIM_C1, FREQUENCY = 1 << CLAIM_FREQUENCY, NOT_C0 = 1 << CLAIM_NOT_C0, FOLD = 1 << CLAIM_FOLD, ALL = C1 | FREQUENCY | NOT_C0 | FOLD };
 
 /* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
 static bool is_still_true(const analysis *a, test_name name)
@@ -175,12 +232,15 @@ static outcome run_uniform(analysis *a)
 static outcome run_tests(analysis *a)
 {
     static const analysis_test tests[] = {
-        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair},
-        {TEST_SPECTRUM, "spectrum", test_spectrum}, {TEST_REGULARITY, "regularity", test_regularity},
-        {TEST_INJECTIVITY, "injectivity", test_injectivity},
+        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ALL}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ALL},
+        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD}, {TEST_REGULARITY, "regularity", test_regularity, C1},
+        {TEST_INJECTIVITY, "injectivity", test_injectivity, C1}, {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
+        {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0}, {TEST_WITNESS, "fold", test_fold, FOLD},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
+        if (!(tests[i].claims & 1U << a->choices->claim))
+            continue;
         if (tests[i].name == TEST_EIGENPAIR) {
             if (a->choices->plainly_regular)
                 break;
@@ -230,9 +290,12 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
     o = run_tests(&a);
     if (o == OUTCOME_TRUE && !describe(&a))
         o = OUTCOME_NO_MEMORY;
-    for (int i = 0; i < RING_NETS; i++)
+    for (int i = 0; i < RING_NETS; i++) {
         if (a.mask[i].mask)
             mask_numbers_free(&a.mask[i]);
+        if (a.patch[i].exact)
+            patch_numbers_free(&a.patch[i]);
+    }
     if (a.box)
         number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
     if (a.matrix)

@@ -1,6 +1,6 @@
 /* analysis.h: one valence in one number system (verify/certificate.md, sections 5 to 8).
 
-   analysis_search looks for choices that prove C1, testing as it goes; analysis_replay follows given choices
+   analysis_search looks for choices that prove the claim (C1, or a reason why not), testing as it goes; analysis_replay follows given choices
    and accepts nothing else.  Both run the same tests; a replay on grids is the specification of certificates. */
 #ifndef VERIFY_ANALYSIS_H
 #define VERIFY_ANALYSIS_H
@@ -13,7 +13,7 @@
 #include "uniform_bounds.h"
 
 /* Which tests have succeeded: the choices that they need are there. */
-typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TESTS } test_name;
+typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TEST_ZERO_FREE, TEST_WITNESS, TESTS } test_name;
 
 typedef struct {
     const problem *problem;
@@ -25,7 +25,7 @@ typedef struct {
     const char *system;     /* for the log */
 } analysis_plan;
 
-/* c->valence and c->grid are given; a search fills in the rest. */
+/* c->claim, frequency, valence and grid are given; a search fills in the rest. */
 outcome analysis_search_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_search_ball(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_search_grid(findings *f, choices *c, analysis_plan *p, long prec);

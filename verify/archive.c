@@ -162,7 +162,7 @@ archive_status archive_keep(archive *z, char **certificate, const decision *d)
     ok = !text.failed && archive_store(z, name, text.bytes, text.length);
     buffer_clear(&text);
     snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
-    if (ok && d->verdict == VERDICT_PROVED) {
+    if (ok && d->verdict != VERDICT_UNDECIDED) {
         *certificate = path_of(z, name);
         ok = *certificate && archive_store(z, name, d->certificate.bytes, d->certificate.length);
     }

@@ -12,7 +12,7 @@
 
 typedef struct {
     long valence;
-    bool proved;
+    bool decided; /* there is a certificate */
 } entry;
 
 typedef struct {
@@ -51,7 +51,7 @@ static bool add(listing *z, entry e)
 static int by_valence(const void *x, const void *y)
 {
     const entry *a = x, *b = y;
-    return a->valence != b->valence ? (a->valence > b->valence) - (a->valence < b->valence) : b->proved - a->proved;
+    return a->valence != b->valence ? (a->valence > b->valence) - (a->valence < b->valence) : b->decided - a->decided;
 }
 
 static bool list_directory(listing *z, const char *path)
@@ -75,7 +75,7 @@ static bool print_entry(buffer *text, const archive *z, const entry *e)
 {
     buffer certificate;
     char digest[65];
-    if (!e->proved) {
+    if (!e->decided) {
         buffer_print(text, "%ld undecided\n", e->valence);
         return true;
     }
@@ -84,7 +84,7 @@ static bool print_entry(buffer *text, const archive *z, const entry *e)
     if (certificate.length == 0)
         return false;
     sha256_hex(digest, certificate.bytes, certificate.length);
-    buffer_print(text, "%ld proved %s valence-%ld.cert\n", e->valence, digest, e->valence);
+    buffer_print(text, "%ld %s %s valence-%ld.cert\n", e->valence, strstr(certificate.bytes, "\nclaim c1\n") ? "proved" : "refuted", digest, e->valence);
     buffer_clear(&certificate);
     return true;
 }

@@ -24,19 +24,33 @@ static void write_long_hexadecimal(buffer *z, long v)
     buffer_print(z, v < 0 ? " -%lx" : " %lx", v < 0 ? 0UL - (unsigned long)v : (unsigned long)v);
 }
 
-static void write_trees(buffer *z, const choices *c)
+static const char *letters(const tree_word *w)
 {
-    buffer_print(z, "halfplane");
-    write_long_hexadecimal(z, c->normal[0]);
-    write_long_hexadecimal(z, c->normal[1]);
-    buffer_print(z, "\nregularity %s\nboundary %s\n", c->regularity.letter ? c->regularity.letter : "", c->boundary.letter ? c->boundary.letter : "");
+    return w->letter ? w->letter : "";
 }
+
+static void write_evidence(buffer *z, const choices *c)
+{
+    int witnesses = c->claim == CLAIM_NOT_C0 ? 1 : c->claim == CLAIM_FOLD ? 2 : 0;
+    if (c->claim == CLAIM_C1) {
+        buffer_print(z, "halfplane");
+        write_long_hexadecimal(z, c->normal[0]);
+        write_long_hexadecimal(z, c->normal[1]);
+        buffer_print(z, "\nregularity %s\n", letters(&c->regularity));
+    }
+    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+        buffer_print(z, "boundary %s\n", letters(&c->boundary));
+    for (int i = 0; i < witnesses; i++)
+        buffer_print(z, "witness %d %s\n", c->witness[i].element, c->witness[i].depth ? c->witness[i].path : "-");
+}
+
+static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold"};
 
 static void write_eigenpair(buffer *z, const choices *c)
 {
     const eigenpair_choice *e = &c->eigenpair;
     int values = e->complex_form ? 2 : 1, others = e->n - values;
-    buffer_print(z, "form %s\npivot %d\n", e->complex_form ? "complex" : "real", e->pivot + 1);
+    buffer_print(z, "form %s\npivot %d\n", c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->pivot + 1);
     write_integers(z, "eigenvalue", e->approximation + others, values);
     write_integers(z, "eigenvector", e->approximation, others);
     write_integers(z, "radius", &e->radius, 1);
@@ -48,7 +62,7 @@ static void write_eigenpair(buffer *z, const choices *c)
 
 static void write_choices(buffer *z, const choices *c)
 {
-    buffer_print(z, "claim c1\nvalence %ld\ngrid %ld\n", c->valence, c->grid);
+    buffer_print(z, "claim %s\nvalence %ld\ngrid %ld\n", c->claim == CLAIM_C1 ? "c1" : "not-c1", c->valence, c->grid);
     buffer_print(z, "contraction %d %d %d\n", c->contraction[0], c->contraction[1], c->contraction[2]);
     if (c->plainly_regular)
         return;
@@ -56,10 +70,12 @@ static void write_choices(buffer *z, const choices *c)
     for (int i = 0; i < 3; i++)
         buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
     buffer_print(z, "\n");
+    if (c->claim != CLAIM_C1)
+        buffer_print(z, "reason %s\nfrequency %ld\n", reasons[c->claim], c->frequency);
     write_eigenpair(z, c);
     for (size_t i = 0; i < c->blocks.count; i++)
         buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
-    write_trees(z, c);
+    write_evidence(z, c);
 }
 
 static long count_lines(const char *bytes, size_t length)
@@ -155,7 +171,7 @@ static void read_tree(reader *r, tree_word *z, const char *name)
     expect(r, name);
     length = next_word(r, &word);
     for (size_t i = 0; !r->failed && i < length; i++) {
-        if (word[i] != '0' && word[i] != '1')
+        if (!tree_is_letter(word[i]))
             r->failed = true;
         else if (!tree_put(z, word[i]))
             r->no_memory = r->failed = true;
@@ -179,20 +195,56 @@ static int count_words(const reader *r)
     return count;
 }
 
-static bool read_form(reader *r)
+static bool read_form(reader *r, bool plain)
 {
     bool complex_form;
     expect(r, "form");
-    complex_form = comes_next(r, "complex");
-    expect(r, complex_form ? "complex" : "real");
+    complex_form = !plain && comes_next(r, "complex");
+    expect(r, plain ? "plain" : complex_form ? "complex" : "real");
     return complex_form;
+}
+
+static void read_reason(reader *r, choices *c)
+{
+    expect(r, "reason");
+    c->claim = CLAIM_C1;
+    for (claim_kind k = CLAIM_FREQUENCY; k <= CLAIM_FOLD; k++)
+        if (comes_next(r, reasons[k]))
+            c->claim = k;
+    if (c->claim == CLAIM_C1)
+        r->failed = true;
+    else
+        expect(r, reasons[c->claim]);
+    expect(r, "frequency");
+    c->frequency = read_long(r, 10, 0, (c->valence - 1) / 2);
+    if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
+        r->failed = true;
+}
+
+static void read_witness(reader *r, witness_choice *z)
+{
+    const char *word;
+    size_t length;
+    expect(r, "witness");
+    z->element = (int)read_long(r, 10, 0, 1L << 30);
+    length = next_word(r, &word);
+    z->depth = 0;
+    if (length == 1 && *word == '-')
+        return;
+    if (length == 0 || length > TREE_MAX_DEPTH) {
+        r->failed = true;
+        return;
+    }
+    memcpy(z->path, word, length);
+    z->path[length] = '\0';
+    z->depth = (int)length;
 }
 
 static void read_eigenpair(reader *r, choices *c)
 {
     eigenpair_choice *e = &c->eigenpair;
     integer eigenvalue[2];
-    bool complex_form = read_form(r);
+    bool complex_form = read_form(r, c->frequency == 0);
     int values = complex_form ? 2 : 1, n, pivot;
     expect(r, "pivot");
     pivot = (int)read_long(r, 10, 1, CHOICES_MAX_ORDER);
@@ -248,11 +300,29 @@ static void read_blocks(reader *r, choices *c)
     }
 }
 
-static void read_choices(reader *r, choices *c)
+static void read_evidence(reader *r, choices *c)
 {
     long normal_limit = 1L << CHOICES_NORMAL_BITS;
+    if (c->claim == CLAIM_C1) {
+        expect(r, "halfplane");
+        for (int i = 0; i < 2; i++)
+            c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
+        read_tree(r, &c->regularity, "regularity");
+    }
+    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+        read_tree(r, &c->boundary, "boundary");
+    if (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_FOLD)
+        read_witness(r, &c->witness[0]);
+    if (c->claim == CLAIM_FOLD)
+        read_witness(r, &c->witness[1]);
+}
+
+static void read_choices(reader *r, choices *c)
+{
+    bool c1;
     expect(r, "claim");
-    expect(r, "c1");
+    c1 = comes_next(r, "c1");
+    expect(r, c1 ? "c1" : "not-c1");
     expect(r, "valence");
     c->valence = read_long(r, 10, CHOICES_MIN_VALENCE, CHOICES_MAX_VALENCE);
     expect(r, "grid");
@@ -260,7 +330,7 @@ static void read_choices(reader *r, choices *c)
     expect(r, "contraction");
     for (int i = 0; i < 3; i++)
         c->contraction[i] = (int)read_long(r, 10, 1, 10);
-    c->plainly_regular = comes_next(r, "records");
+    c->plainly_regular = c1 && comes_next(r, "records");
     if (r->failed || c->plainly_regular)
         return;
     expect(r, "stability");
@@ -268,13 +338,11 @@ static void read_choices(reader *r, choices *c)
         c->stability[i].power = (int)read_long(r, 10, 0, 9);
         c->stability[i].bound = read_long(r, 10, 1024, 1L << 40);
     }
+    if (!c1)
+        read_reason(r, c);
     read_eigenpair(r, c);
     read_blocks(r, c);
-    expect(r, "halfplane");
-    for (int i = 0; i < 2; i++)
-        c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
-    read_tree(r, &c->regularity, "regularity");
-    read_tree(r, &c->boundary, "boundary");
+    read_evidence(r, c);
 }
 
 /* The first line, from 1, in which the texts differ; 0 if they are equal. */

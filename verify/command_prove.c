@@ -192,7 +192,7 @@ static void *decide(long i, void *data)
     archive_read(&r->archive, &earlier, valences_get(&r->valences, i));
     decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
-    if (a->decision.verdict == VERDICT_PROVED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
+    if (a->decision.verdict != VERDICT_UNDECIDED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
         a->kept = archive_keep(&r->archive, &a->certificate, &a->decision);
         a->error = errno;
     }
@@ -201,7 +201,8 @@ static void *decide(long i, void *data)
 
 static void raise_result(prove_run *r, int exit_status)
 {
-    if (r->result == EXIT_PROVED || exit_status > EXIT_UNDECIDED)
+    bool worse = r->result == EXIT_PROVED || exit_status > EXIT_UNDECIDED || (exit_status == EXIT_REFUTED && r->result == EXIT_UNDECIDED);
+    if (worse)
         r->result = exit_status;
 }
 
@@ -209,7 +210,7 @@ static bool report(prove_run *r, const answer *a)
 {
     const decision *d = &a->decision;
     progress_clear(&r->progress);
-    if (d->verdict != VERDICT_PROVED && deadline_interrupted()) {
+    if (d->verdict == VERDICT_UNDECIDED && deadline_interrupted()) {
         raise_result(r, EXIT_INTERRUPTED);
         return false;
     }
@@ -227,7 +228,7 @@ static bool report(prove_run *r, const answer *a)
     }
     (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);
     if (d->verdict != VERDICT_PROVED)
-        raise_result(r, EXIT_UNDECIDED);
+        raise_result(r, d->verdict == VERDICT_REFUTED ? EXIT_REFUTED : EXIT_UNDECIDED);
     if (fflush(stdout) != 0) {
         raise_result(r, EXIT_IO); /* finish_output complains */
         return false;

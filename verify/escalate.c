@@ -2,8 +2,10 @@
 #include "escalate.h"
 
 #include "certificate.h"
+#include "refute.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void decision_init(decision *z)
@@ -23,7 +25,16 @@ void decision_clear(decision *z)
 
 const attempt *decision_obstacle(const decision *z)
 {
-    return findings_last((findings *)&z->findings);
+    return &z->findings.attempts[z->obstacle];
+}
+
+/* What a certificate that proves its claim says. */
+static void take_over(decision *z, const choices *c)
+{
+    z->verdict = c->claim == CLAIM_C1 ? VERDICT_PROVED : VERDICT_REFUTED;
+    z->claim = c->claim;
+    z->frequency = c->frequency;
+    z->plainly_regular = c->plainly_regular;
 }
 
 /* Is the certificate as text a proof, by its specification? */
@@ -42,34 +53,82 @@ static outcome replay(decision *z, const analysis_plan *p, const buffer *certifi
         findings_last(&z->findings)->outcome = o;
     } else
         o = analysis_replay_grid(&z->findings, &c, &plan, c.grid);
+    if (o == OUTCOME_TRUE)
+        take_over(z, &c);
     choices_clear(&c);
     return o;
 }
 
-/* One rung of the ladder: precision 0 is hardware intervals. */
-static outcome try_precision(decision *z, choices *c, analysis_plan *plan, const limits *l, long precision)
+/* Writes the certificate of choices that were found, and follows it. */
+static outcome certify(decision *z, const choices *c, const analysis_plan *plan)
+{
+    outcome o;
+    certificate_write(&z->certificate, plan->problem->scheme, c);
+    o = replay(z, plan, &z->certificate);
+    if (o == OUTCOME_TRUE)
+        return o;
+    buffer_clear(&z->certificate);
+    return o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED ? OUTCOME_FAIL : o;
+}
+
+static outcome try_to_prove(decision *z, choices *c, analysis_plan *plan, long precision)
+{
+    outcome o = precision ? analysis_search_ball(&z->findings, c, plan, precision) : analysis_search_interval(&z->findings, c, plan, 53);
+    if (o == OUTCOME_TRUE) {
+        o = certify(z, c, plan);
+        if (o != OUTCOME_TRUE) {
+            for (int i = 0; i < TESTS; i++) /* everything inexact anew, with more precision */
+                plan->found[i] = plan->found[i] && i == TEST_REGULAR_COMPLEX;
+            z->findings.level = 0;
+            z->findings.elements = 0;
+        }
+    }
+    z->obstacle = z->findings.attempt_count ? z->findings.attempt_count - 1 : 0;
+    return o;
+}
+
+/* The figures are those of the refutation if it succeeds, and else remain. */
+static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *plan, long precision)
+{
+    findings before = z->findings;
+    choices c;
+    outcome o;
+    choices_init(&c);
+    z->findings.eigenvalue = NULL;
+    o = refute(&z->findings, &c, s, plan, z->valence, precision);
+    if (o == OUTCOME_TRUE) {
+        refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
+        o = certify(z, &c, plan);
+    }
+    if (o == OUTCOME_TRUE) {
+        free(before.eigenvalue);
+    } else {
+        free(z->findings.eigenvalue);
+        memcpy(before.attempts, z->findings.attempts, sizeof before.attempts);
+        before.attempt_count = z->findings.attempt_count;
+        z->findings = before;
+    }
+    choices_clear(&c);
+    return o;
+}
+
+/* One rung of the ladder: precision 0 is hardware intervals.  OUTCOME_TRUE: there is a verdict. */
+static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspicion *s, const limits *l, long precision)
 {
     bool hardware = precision == 0;
-    outcome o;
+    outcome o, refuted;
     z->system = plan->system = hardware ? "interval" : "ball";
     z->precision = hardware ? 53 : precision;
     c->grid = hardware ? CHOICES_MIN_GRID : precision;
     plan->max_level = l->max_level ? l->max_level : 12 + (int)(precision / 64);
     if (plan->max_level > TREE_MAX_DEPTH)
         plan->max_level = TREE_MAX_DEPTH;
-    o = hardware ? analysis_search_interval(&z->findings, c, plan, 53) : analysis_search_ball(&z->findings, c, plan, precision);
-    if (o != OUTCOME_TRUE)
+    o = try_to_prove(z, c, plan, precision);
+    if (o == OUTCOME_TRUE || o == OUTCOME_STOPPED || o == OUTCOME_NO_MEMORY || o == OUTCOME_BAD_INPUT || !plan->found[TEST_REGULAR_COMPLEX])
         return o;
-    z->plainly_regular = c->plainly_regular;
-    certificate_write(&z->certificate, plan->problem->scheme, c);
-    o = replay(z, plan, &z->certificate);
-    if (o != OUTCOME_TRUE) {
-        buffer_clear(&z->certificate);
-        memset(plan->found, 0, sizeof plan->found); /* everything anew, with more precision */
-        z->findings.level = 0;
-        z->findings.elements = 0;
-    }
-    return o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED ? OUTCOME_FAIL : o;
+    s->folds = plan->found[TEST_SPECTRUM] && !plan->found[TEST_REGULARITY];
+    refuted = try_to_refute(z, s, plan, precision);
+    return refuted == OUTCOME_FAIL ? o : refuted;
 }
 
 /* Has the uniform method run out of levels, where more precision does not help? */
@@ -78,16 +137,20 @@ static bool is_uniform_open(const analysis_plan *plan)
     return plan->uniform && plan->found[TEST_SPECTRUM] && !plan->found[TEST_UNIFORM];
 }
 
+/* What looks like the opposite at so many precisions in a row, and is not refuted, will hardly be decided by more. */
+enum { MOST_CONTRARY = 4 };
+
 static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
 {
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
+    suspicion s = {.made = false};
+    int contrary = 0;
     for (;;) {
-        outcome o = try_precision(z, c, plan, l, precision);
-        if (o == OUTCOME_TRUE)
-            z->verdict = VERDICT_PROVED;
+        outcome o = try_precision(z, c, plan, &s, l, precision);
+        contrary = o == OUTCOME_FALSE ? contrary + 1 : 0;
         if (o == OUTCOME_UNDEFINED && is_uniform_open(plan))
             return o;
-        if ((o != OUTCOME_UNDEFINED && o != OUTCOME_FAIL) || l->precision || plan->problem->obstacle || !plan->found[TEST_REGULAR_COMPLEX])
+        if ((o != OUTCOME_UNDEFINED && o != OUTCOME_FAIL && o != OUTCOME_FALSE) || contrary == MOST_CONTRARY || l->precision || plan->problem->obstacle || !plan->found[TEST_REGULAR_COMPLEX])
             return o;
         if (deadline_passed(plan->deadline))
             return OUTCOME_STOPPED;
@@ -104,7 +167,6 @@ static bool is_proved_before(decision *z, const analysis_plan *plan, const buffe
         return false;
     if (replay(z, plan, earlier) == OUTCOME_TRUE) {
         buffer_append(&z->certificate, earlier->bytes, earlier->length);
-        z->verdict = VERDICT_PROVED;
         z->kept_before = true;
         return true;
     }

@@ -24,7 +24,11 @@ typedef struct {
     outcome outcome;          /* of the last attempt that counts: why the verdict is not another */
     bool plainly_regular;     /* proved by the regular part alone */
     bool kept_before;         /* proved by the certificate of an earlier run, followed once more */
+    claim_kind claim;         /* of the certificate */
+    long frequency;
+    char reason[256];         /* of a refutation: a sentence */
     findings findings;
+    int obstacle;             /* the attempt that says why the verdict is undecided */
     const char *system;       /* of the decisive attempts: "exact", "interval", "ball" */
     long precision;
     double seconds;

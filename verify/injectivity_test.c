@@ -7,21 +7,17 @@
 
 #define NORMAL_SCALE 0x1p20
 
-/* data: the normal, two longs.  Is normal * F > 0 on the box? */
-static outcome lies_in_half_plane(double *margin, const adaptive_box *box, const void *data, long prec)
+/* data: the normal, two longs.  z += normal * F: positive in the half-plane. */
+static void height(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
     const long *normal = data;
-    outcome o;
-    number s, p;
-    number_init(&s);
+    number p;
     number_init(&p);
-    number_mul_si(&s, &box[0].x, normal[0], prec);
-    number_mul_si(&p, &box[0].y, normal[1], prec);
-    number_add(&s, &s, &p, prec);
-    o = adaptive_sign(margin, &s);
-    number_clear(&s);
+    number_mul_si(&p, x[0], normal[0], prec);
+    number_add(z, z, &p, prec);
+    number_mul_si(&p, y[0], normal[1], prec);
+    number_add(z, z, &p, prec);
     number_clear(&p);
-    return o;
 }
 
 /* The bisector of the directions of the two ends of the curve, V(2r,0) and t V(2r,0). */
@@ -57,7 +53,7 @@ static bool choose_normal(long normal[2], const sector_net *net, int at, long pr
 outcome test_injectivity(analysis *a)
 {
     const ring *g = &a->plan->problem->geometry;
-    adaptive_task task = {.nets = 1, .which = {RING_VALUES}, .decide = lies_in_half_plane, .data = a->choices->normal};
+    adaptive_task task = {.nets = 1, .which = {RING_VALUES}, .quantity = height, .data = a->choices->normal};
     outcome o = analysis_make_net(a);
     if (o == OUTCOME_TRUE && !a->replay && !choose_normal(a->choices->normal, &a->net, 2 * g->radius, a->prec))
         o = findings_explain(a->findings, OUTCOME_FAIL, "the ends of one sector of the outer curve could not be told from 0");

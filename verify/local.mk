@@ -12,6 +12,7 @@ VERIFY_SOURCES = \
   verify/uniform_bounds.h verify/uniform_bounds.c \
   verify/findings.h verify/findings.c \
   verify/analysis.h \
+  verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
   verify/prove_output.h verify/prove_output.c \
   verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
@@ -29,6 +30,9 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_test.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
+  verify/zero_free_test.c \
+  verify/fold_test.c \
+  verify/candidates.h verify/candidates.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \

@@ -10,6 +10,8 @@ void problem_init(problem *z)
     memset(z, 0, sizeof *z);
     regular_init(&z->regular);
     ring_init(&z->geometry);
+    for (int i = 0; i < RING_NETS; i++)
+        bernstein_init(&z->bernstein[i]);
     for (int i = 0; i < 3; i++)
         rational_init(&z->norm[i]);
 }
@@ -18,6 +20,8 @@ void problem_clear(problem *z)
 {
     regular_clear(&z->regular);
     ring_clear(&z->geometry);
+    for (int i = 0; i < RING_NETS; i++)
+        bernstein_clear(&z->bernstein[i]);
     for (int i = 0; i < 3; i++)
         rational_clear(&z->norm[i]);
 }
@@ -47,6 +51,16 @@ static bool find_stability(problem *z)
     return ok;
 }
 
+/* The masks of the derivatives have a factor less than that of values, so they are of box splines if it is. */
+static bool find_polynomials(problem *z)
+{
+    bool ok = true;
+    z->polynomial = true;
+    for (int i = 0; ok && z->polynomial && i < RING_NETS; i++)
+        ok = bernstein_make(&z->bernstein[i], &z->polynomial, z->scheme->mesh, z->geometry.mask[i], &z->geometry.stencil[i]);
+    return ok;
+}
+
 bool problem_make(problem *z, const scheme *s)
 {
     z->scheme = s;
@@ -62,7 +76,7 @@ bool problem_make(problem *z, const scheme *s)
         z->obstacle = "no power of the second difference schemes that was tried has a norm below 1: C1 on the regular complex is not proved";
         return true;
     }
-    return ring_make(&z->geometry, s, &z->regular) && find_stability(z);
+    return ring_make(&z->geometry, s, &z->regular) && find_stability(z) && find_polynomials(z);
 }
 
 status problem_is_plainly_regular(bool *plainly, const problem *z, long k, diagnostic *d)

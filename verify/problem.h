@@ -2,6 +2,7 @@
 #ifndef VERIFY_PROBLEM_H
 #define VERIFY_PROBLEM_H
 
+#include "../lib/bernstein.h"
 #include "../lib/ring.h"
 #include "choices.h"
 
@@ -12,6 +13,8 @@ typedef struct {
     rational norm[3];
     stability_choice stability[RING_NETS]; /* K of values and both derivatives */
     ring geometry;
+    bool polynomial;              /* the mask is of a box spline: limits are polynomials on elements, */
+    bernstein bernstein[RING_NETS]; /* these */
     const char *obstacle;         /* NULL, or why no valence can be decided: a sentence */
     const char *special_obstacle; /* NULL, or why only plainly regular valences can */
 } problem;

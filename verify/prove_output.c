@@ -56,6 +56,13 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             print_figures(d);
             printf("%s", system);
         }
+    } else if (d->verdict == VERDICT_REFUTED) {
+        printf("refuted: %s is not C1 at valence %ld; ", name, d->valence);
+        describe_system(system, sizeof system, d->kept_before ? "exact" : d->system, d->precision);
+        if (d->kept_before)
+            printf("by the certificate of an earlier run, followed once more");
+        else
+            printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
         describe_system(system, sizeof system, a->system, a->precision);
@@ -122,7 +129,12 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
         write_findings(&b, &d->findings);
     if (d->kept_before) {
         buffer_print(&b, ",\"kept_before\":true");
-    } else if (d->verdict == VERDICT_PROVED) {
+    } else if (d->verdict != VERDICT_UNDECIDED) {
+        if (d->verdict == VERDICT_REFUTED) {
+            write_string(&b, "reason", d->reason);
+            write_string(&b, "eigenvalue", d->findings.eigenvalue);
+            buffer_print(&b, ",\"frequency\":%ld", d->frequency);
+        }
         write_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {

@@ -1,24 +1,18 @@
 /* regularity_test.c: the Jacobian of the characteristic map on the ring (verify/certificate.md, section 8). */
 #include "tests.h"
 
-/* J = x1 y2 - y1 x2 for all derivatives (x1, y1), (x2, y2) in the two boxes. */
-static outcome jacobian_is_positive(double *margin, const adaptive_box *box, const void *data, long prec)
+/* z += J = x1 y2 - y1 x2 of the derivatives (x1, y1), (x2, y2). */
+static void jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
-    outcome o;
-    number j;
     (void)data;
-    number_init(&j);
-    number_mul(&j, &box[0].x, &box[1].y, prec);
-    number_submul(&j, &box[0].y, &box[1].x, prec);
-    o = adaptive_sign(margin, &j);
-    number_clear(&j);
-    return o;
+    number_addmul(z, x[0], y[1], prec);
+    number_submul(z, y[0], x[1], prec);
 }
 
 outcome test_regularity(analysis *a)
 {
     const ring *g = &a->plan->problem->geometry;
-    adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .decide = jacobian_is_positive};
+    adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .quantity = jacobian};
     outcome o = analysis_subdivide(a, &task, &a->choices->regularity, g->elements, g->element_count);
     a->findings->jacobian = findings_last(a->findings)->bound;
     if (o == OUTCOME_UNDEFINED)

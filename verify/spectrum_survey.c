@@ -22,6 +22,7 @@ typedef struct {
     diagnostic *complaint;
     bool mirror_symmetric;
     long half;           /* k/2 */
+    int block_size;      /* order of a block's real matrix */
     number lower;        /* thin, <= L */
     double rival;        /* the largest modulus besides L that has an entry, at most */
 } survey;
@@ -38,6 +39,7 @@ static double radius_approx(survey *z, long m)
         int size;
         number *matrix = block_real_matrix(&size, &b);
         double *a = malloc(((size_t)size * (size_t)size + 1) * sizeof *a);
+        z->block_size = size;
         for (int i = 0; matrix && a && i < size * size; i++)
             a[i] = number_mid_approx(&matrix[i]);
         if (matrix && a)
@@ -82,14 +84,15 @@ static long best_sample(long *left, long *right, survey *z)
 }
 
 /* Between left, where L still rises with the frequency, and right, where it falls, the top by the sign of the slope, which
-   tells it far better than values do.  0: it does not work. */
+   tells it far better than values do.  At the frequency k/2 itself L is even in u: nothing need fall there.  0: it does not
+   work. */
 static long bisect_slope(long left, long right, survey *z)
 {
     number x, y;
     int sign = -1, other = 1;
     number_init(&x);
     number_init(&y);
-    if (monotone_direction(&x, &sign, &z->numbers, left, z->complaint) != BLOCK_OK || monotone_direction(&y, &other, &z->numbers, right, z->complaint) != BLOCK_OK || sign != -1 || other != 1)
+    if (monotone_direction(&x, &sign, &z->numbers, left, z->complaint) != BLOCK_OK || monotone_direction(&y, &other, &z->numbers, right, z->complaint) != BLOCK_OK || sign != -1 || (other != 1 && right != z->half))
         left = right = 0;
     while (right - left > 1) {
         long middle = left + (right - left) / 2;
@@ -98,6 +101,8 @@ static long bisect_slope(long left, long right, survey *z)
         else
             *(sign < 0 ? &left : &right) = middle;
     }
+    if (right - left == 1 && right == z->half && other != 1)
+        left = right;
     if (right - left == 1 && monotone_direction(&x, &sign, &z->numbers, left, z->complaint) == BLOCK_OK && sign && monotone_direction(&y, &other, &z->numbers, right, z->complaint) == BLOCK_OK
         && other && number_less(&x, &y) == TRUTH_TRUE)
         left = right;
@@ -185,10 +190,19 @@ static status find_lower(survey *z)
 
 /* ---- the sides ---- */
 
-static const cover_limits strict = {400, 0, 10000, false}, lenient = {800, 40, 10000, false};
+/* How long to try: a few boxes for a quick bound, more to go on without a chain, many before something is left open;
+   fewer where a box costs more. */
+typedef enum { QUICK, STRICT, LENIENT } effort;
+
+static cover_limits limits_of(const survey *z, effort e)
+{
+    static const double tries[] = {100, 400, 8000}, most[] = {100, 400, 1000};
+    double size = z->block_size, factor = fmin(1, 1000 / (size * size * size + 1));
+    return (cover_limits){.tries = (long)fmin(fmax(tries[e] * factor, 20), most[e]), .open = e == LENIENT ? 40 : 0, .power = 10000};
+}
 
 /* Are all eigenvalues of the blocks smaller than `bound`, thin? */
-static status prove_below(bool *proved, frequencies *open, bool *exhausted, survey *z, frequencies m, const number *bound, const cover_limits *limits)
+static status prove_below(bool *proved, frequencies *open, bool *exhausted, survey *z, frequencies m, const number *bound, effort e)
 {
     cover_list list;
     cover_answer answer = {.status = BLOCK_OK, .proved = true};
@@ -198,7 +212,8 @@ static status prove_below(bool *proved, frequencies *open, bool *exhausted, surv
     if (m.first <= m.last) {
         number_inv(&scale, bound, z->numbers.prec);
         number_upper(&scale, &scale, z->numbers.prec);
-        answer = cover_search(&list, &z->numbers, &scale, m, limits, z->complaint);
+        cover_limits limits = limits_of(z, e);
+        answer = cover_search(&list, &z->numbers, &scale, m, &limits, z->complaint);
     }
     *proved = answer.proved;
     *open = answer.open;
@@ -208,7 +223,7 @@ static status prove_below(bool *proved, frequencies *open, bool *exhausted, surv
     return block_complaint(answer.status, z->complaint);
 }
 
-static status prove_below_double(bool *proved, survey *z, frequencies m, double bound, const cover_limits *limits)
+static status prove_below_double(bool *proved, survey *z, frequencies m, double bound, effort e)
 {
     frequencies open;
     bool exhausted;
@@ -216,7 +231,7 @@ static status prove_below_double(bool *proved, survey *z, frequencies m, double 
     number b;
     number_init(&b);
     number_set_double(&b, bound, z->numbers.prec);
-    result = prove_below(proved, &open, &exhausted, z, m, &b, limits);
+    result = prove_below(proved, &open, &exhausted, z, m, &b, e);
     number_clear(&b);
     return result;
 }
@@ -238,7 +253,7 @@ static status prove_no_rival(bool *proved, double *upper, survey *z, frequencies
     for (size_t i = 0; result == STATUS_OK && !*proved && i < sizeof slack / sizeof *slack; i++) {
         *upper = z->rival * (1 + slack[i]);
         if (*upper > 0 && *upper < number_lower_bound(&z->lower))
-            result = prove_below_double(proved, z, m, *upper, &strict);
+            result = prove_below_double(proved, z, m, *upper, STRICT);
     }
     return result;
 }
@@ -253,7 +268,7 @@ static status try_rest(bool *proved, survey *z, frequencies m)
     status result = prove_no_rival(proved, &upper, z, m);
     if (result == STATUS_OK && !*proved && number_is_positive(&z->lower) == TRUTH_TRUE) {
         upper = number_upper_bound(&z->lower);
-        result = prove_below(proved, &open, &exhausted, z, m, &z->lower, &strict);
+        result = prove_below(proved, &open, &exhausted, z, m, &z->lower, STRICT);
     }
     if (*proved)
         z->list->rest_upper = fmax(z->list->rest_upper, upper);
@@ -272,7 +287,7 @@ static status prove_rest(survey *z, frequencies m)
     if (result != STATUS_OK || proved)
         return result;
     if (number_is_positive(&z->lower) == TRUTH_TRUE)
-        result = prove_below(&proved, &open, &exhausted, z, m, &z->lower, &lenient);
+        result = prove_below(&proved, &open, &exhausted, z, m, &z->lower, LENIENT);
     z->list->rest_upper = fmax(z->list->rest_upper, proved ? number_upper_bound(&z->lower) : INFINITY);
     if (!proved) {
         z->list->exhausted = z->list->exhausted || exhausted;
@@ -359,7 +374,6 @@ static status prove_side(survey *z, long goal)
 static status add_range(survey *z, frequencies m, bool bounds)
 {
     static const double slack[] = {0x1p-10, 0x1p-5};
-    static const cover_limits quick = {100, 0, 10000, false};
     double radius = 0, upper = INFINITY;
     status result = STATUS_OK;
     if (z->list->ordered)
@@ -371,7 +385,7 @@ static status add_range(survey *z, frequencies m, bool bounds)
         bool proved;
         if (!(bound < upper))
             break;
-        result = prove_below_double(&proved, z, m, bound, &quick);
+        result = prove_below_double(&proved, z, m, bound, QUICK);
         if (proved)
             upper = bound;
         if (proved)

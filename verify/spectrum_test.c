@@ -126,10 +126,15 @@ static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, s
     return true;
 }
 
+static bool no_time_left(const void *data)
+{
+    return deadline_passed(data);
+}
+
 /* All blocks of a range, in which the one of L is not, as lib/cover.h has it. */
 static outcome prove_range(analysis *a, frequencies m, size_t *next)
 {
-    static const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true};
+    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true, {no_time_left, a->plan->deadline}};
     cover_list *blocks = &a->choices->blocks, boxes;
     cover_answer answer;
     diagnostic d;
@@ -141,9 +146,11 @@ static outcome prove_range(analysis *a, frequencies m, size_t *next)
         cover_list_clear(&boxes);
         return OUTCOME_NO_MEMORY;
     }
-    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
+    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &limits.stop, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
     o = from_status(a, answer.status, &d);
-    if (o == OUTCOME_TRUE && !answer.proved)
+    if (o == OUTCOME_TRUE && answer.stopped)
+        o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
+    else if (o == OUTCOME_TRUE && !answer.proved)
         o = complain(a, answer.open, answer.diverges);
     if (o == OUTCOME_TRUE)
         note_radius(a, answer.radius, answer.largest);

@@ -13,6 +13,11 @@
 #define test_spectrum NUMBER_NAME(test_spectrum)
 #define test_regularity NUMBER_NAME(test_regularity)
 #define test_injectivity NUMBER_NAME(test_injectivity)
+#define test_zero_free NUMBER_NAME(test_zero_free)
+#define test_nonzero NUMBER_NAME(test_nonzero)
+#define test_fold NUMBER_NAME(test_fold)
+#define analysis_seek NUMBER_NAME(analysis_seek)
+
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
@@ -26,7 +31,8 @@ typedef struct {
     long prec;
     scheme_numbers numbers;
     mask_numbers mask[RING_NETS];
-    block dominant;    /* B(w_1) */
+    patch_numbers patch[RING_NETS]; /* if the problem has polynomials */
+    block dominant;    /* the block of L: B(w_1), unless the claim says otherwise */
     number *matrix;    /* as a real matrix, order x order */
     int order;
     number *box;       /* its eigenpair, after test_eigenpair: order numbers, then L (complex form: two) */
@@ -36,14 +42,23 @@ typedef struct {
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
-/* L is a simple eigenvalue of block 1, 0 < |L| < 1. */
+/* L is a simple eigenvalue of the claim's block, 0 < |L| < 1 (of CLAIM_NOT_C0: 1 < |L|). */
 outcome test_eigenpair(analysis *a);
-/* 1 is simple, and every eigenvalue of every block other than 1 and L is smaller than L in modulus. */
+/* 1 is simple, and every eigenvalue of every block other than 1 and L is smaller than L in modulus (but for its
+   conjugate in another block). */
 outcome test_spectrum(analysis *a);
 /* The Jacobian of the characteristic map is positive on the ring. */
 outcome test_regularity(analysis *a);
 /* The image of one sector's outer curve lies in an open half-plane with 0 on its border: no zero, and winding 1. */
 outcome test_injectivity(analysis *a);
+
+/* The eigenfunction has no zero on the ring's outer curve. */
+outcome test_zero_free(analysis *a);
+
+/* The eigenfunction is not 0 somewhere on the outer curve. */
+outcome test_nonzero(analysis *a);
+/* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
+outcome test_fold(analysis *a);
 
 /* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
 outcome analysis_make_block(block *b, analysis *a, long first, long last);
@@ -52,6 +67,10 @@ outcome analysis_make_net(analysis *a);
 /* Subdivides elements as the task says, with the nets of which[]; fills in the parts of the task that are the same for
    all tests, and the figures of the attempt. */
 outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, const element *elements, int count);
+
+/* Looks for an element, or some descendant of one, where the task's quantity is certainly positive, or follows the
+   witness that there is. */
+outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
 
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
    OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */

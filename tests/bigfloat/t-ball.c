@@ -524,12 +524,97 @@ static void test_dot_cancellation(void)
     test_end();
 }
 
+/* z = +-m 2^e +- err 2^e */
+static void set_word(ball *z, long m, uint64_t err, int64_t e)
+{
+    integer t;
+    integer_init(&t);
+    integer_set_si(&t, m);
+    ball_set_parts(z, &t, err, e);
+    integer_clear(&t);
+}
+
+/* Terms that fall below the accumulator's unit, all in one direction, after all that was large has cancelled. */
+static void test_dot_lost(void)
+{
+    test_begin("ball-dot-lost");
+    for (test_cases(1000); test_next();) {
+        enum { N = 12 };
+        ball x[N], y[N], z;
+        rational p, q, sum;
+        ball_init(&z);
+        rational_init(&p), rational_init(&q), rational_init(&sum);
+        int64_t e = random_range(-80, -40); /* the unit is in this range */
+        for (size_t i = 0; i < N; i++) {
+            ball_init(&x[i]), ball_init(&y[i]);
+            set_word(&x[i], i == 1 ? -1 : 1, 0, 0), set_word(&y[i], (1 << 20) - 1, 0, e - 20);
+            if (i < 2) { /* +- (2^64 + 1) */
+                set_word(&y[i], 1, 0, 64);
+                ball_add(&y[i], &y[i], &x[0], 128);
+            }
+        }
+        set_word(&x[N - 1], 0, 1, 0), set_word(&y[N - 1], 1, 0, e); /* only an error */
+        for (size_t i = 0; i < N; i++) {
+            random_point_ball(&p, &x[i]), random_point_ball(&q, &y[i]);
+            MUST(rational_mul(&p, &p, &q));
+            MUST(rational_add(&sum, &sum, &p));
+        }
+        ball_dot(&z, x, y, N, 64);
+        CHECK(ball_contains_rational(&z, &sum), "unit 2^%ld", (long)e);
+        for (size_t i = 0; i < N; i++)
+            ball_clear(&x[i]), ball_clear(&y[i]);
+        ball_clear(&z);
+        rational_clear(&p), rational_clear(&q), rational_clear(&sum);
+    }
+    test_end();
+}
+
+/* (B^n - 1)^2 - (B^n - 2) B^n = 1: in the first product the limbs left out are as great as can be, in the second they are
+   0; and an inexact term far below. */
+static void test_dot_left_out(void)
+{
+    test_begin("ball-dot-left-out");
+    for (size_t n = 1; n <= 64; n++) {
+        uint64_t limb[64];
+        integer m;
+        ball x[3], y[3], z;
+        rational sum;
+        integer_init(&m);
+        rational_init(&sum);
+        ball_init(&z);
+        for (int i = 0; i < 3; i++)
+            ball_init(&x[i]), ball_init(&y[i]);
+        for (size_t i = 0; i < n; i++)
+            limb[i] = ~(uint64_t)0;
+        MUST(integer_set_limbs(&m, limb, n, false));
+        ball_set_parts(&x[0], &m, 0, 0), ball_set_parts(&y[0], &m, 0, 0);
+        ball_set_parts(&x[2], &m, 1, -20000), ball_set_parts(&y[2], &m, 0, 0);
+        MUST(integer_add_si(&m, &m, -1));
+        ball_set_parts(&x[1], &m, 0, 0);
+        for (size_t i = 0; i < n; i++)
+            limb[i] = i + 1 == n ? (uint64_t)1 << 63 : 0;
+        MUST(integer_set_limbs(&m, limb, n, true));
+        ball_set_parts(&y[1], &m, 0, 1);
+        ball_dot(&z, x, y, 3, 64 * (long)n);
+        MUST(rational_set_si(&sum, 1, 1));
+        CHECK(ball_contains_rational(&z, &sum), "%zu limbs", n); /* less than 2^-11000 is missing */
+        integer_clear(&m);
+        rational_clear(&sum);
+        for (int i = 0; i < 3; i++)
+            ball_clear(&x[i]), ball_clear(&y[i]);
+        ball_clear(&z);
+    }
+    test_end();
+}
+
 int main(void)
 {
     test_full_lengths();
     test_dot_full_lengths();
     test_dot_exact();
     test_dot_cancellation();
+    test_dot_lost();
+    test_dot_left_out();
     test_dot();
     test_add();
     test_sub();

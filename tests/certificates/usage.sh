@@ -49,7 +49,8 @@ arguments() {
   for valence in '' 03 +3 -3 3.0 0x3 3,4 3..5 ' 3' '3 ' all inf 2 0 3, 5..3 1000000001 4294967299 18446744073709551619 99999999999999999999999; do
     expect "valence-'$valence'" 2 "${cannot}" --scheme "$loop" --valence "$valence" --claim c1 "$good"
   done
-  for claim in '' C1 c1x c not-c1 c2; do
+  expect claim-not-c1 1 'claim: expected not-c1' --scheme "$loop" --valence 3 --claim not-c1 "$good"
+  for claim in '' C1 c1x c not-C1 c2; do
     expect "claim-'$claim'" 2 "${cannot}--claim" --scheme "$loop" --valence 3 --claim "$claim" "$good"
   done
   expect other-valence 1 'valence: expected 4' --scheme "$loop" --valence 4 --claim c1 "$good"

@@ -55,7 +55,7 @@ static void run(const struct trial *t)
     struct block_record record = { 1, 1, t->power, 1 };
     integer eigenvector, inverse[4], one = integer_from(1);
     struct certificate c = {
-        .file = "certificate", .real = true, .n = 2, .size = 2, .pivot = 1,
+        .file = "certificate", .real = true, .frequency = 1, .n = 2, .size = 2, .pivot = 1,
         .eigenvector = &eigenvector, .inverse = inverse
     };
     struct eigenpair pair;

@@ -371,6 +371,142 @@ static void test_known(void)
     test_end();
 }
 
+/* ---- the recursions of verify/certificate.md, section 7 ---- */
+
+enum { MOST = BERNSTEIN_MAX_DEGREE + 1, MOST_COEFFICIENTS = (MOST + 1) * (MOST + 2) / 2 };
+typedef struct {
+    rational c[MOST_COEFFICIENTS]; /* of w0^(n-i-j) w1^i w2^j, by the shape's index */
+} polynomial;
+
+static polynomial *new_polynomial(void)
+{
+    polynomial *p = malloc(sizeof *p);
+    MUST(p != NULL);
+    for (int i = 0; i < MOST_COEFFICIENTS; i++)
+        rational_init(&p->c[i]);
+    return p;
+}
+
+static void free_polynomial(polynomial *p)
+{
+    for (int i = 0; i < MOST_COEFFICIENTS; i++)
+        rational_clear(&p->c[i]);
+    free(p);
+}
+
+/* z += (l[0] w0 + l[1] w1 + l[2] w2) x / divisor, x of degree n. */
+static void add_multiple(polynomial *z, const polynomial *x, int n, const int l[3], int divisor)
+{
+    bernstein_shape from = {true, {n, n}}, to = {true, {n + 1, n + 1}};
+    rational part;
+    rational_init(&part);
+    for (int j = 0; j <= n; j++)
+        for (int i = 0; i <= n - j; i++)
+            for (int v = 0; v < 3; v++) {
+                rational *sum = &z->c[bernstein_shape_index(to, i + (v == 1), j + (v == 2))];
+                MUST(rational_set_si(&part, l[v], divisor) && rational_mul(&part, &part, &x->c[bernstein_shape_index(from, i, j)]) && rational_add(sum, sum, &part));
+            }
+    rational_clear(&part);
+}
+
+static int spanning(const int m[3]) { return (m[0] > 0) + (m[1] > 0) + (m[2] > 0) >= 2; }
+
+/* P(m; T) for T = UP(a,b) or DOWN(a,b), by itself, without remembering anything. */
+static polynomial *recursion(const int m[3], element_type type, int a, int b)
+{
+    static const lattice e[3] = {{1, 0}, {0, 1}, {1, -1}};
+    int n = m[0] + m[1] + m[2] - 2, l[3][3];
+    polynomial *z = new_polynomial(), *p;
+    if (a < 0 || a >= m[0] + m[2] || b < -m[2] || b >= m[1])
+        return z; /* outside the support */
+    if (n == 0) {
+        bool up = type == ELEMENT_UP, one = false;
+        if (m[2] == 0)
+            one = m[0] == 1 && a == 0 && b == 0;
+        else if (m[1] == 0)
+            one = m[0] == 1 && (up ? a == 1 : a == 0) && b == -1;
+        else
+            one = m[0] == 0 && m[1] == 1 && a == 0 && (up ? b == 0 : b == -1);
+        MUST(rational_set_si(&z->c[0], one, 1));
+        return z;
+    }
+    for (int v = 0; v < 3; v++) {
+        lattice w = element_get_vertex(type, v);
+        int x = a + w.a, y = b + w.b;
+        l[0][v] = m[1] == 0 ? x + y : m[0] > 0 ? x : 0;
+        l[1][v] = m[1] == 0 ? 0 : m[0] > 0 ? y : x + y;
+        l[2][v] = m[1] == 0 ? -y : m[0] > 0 ? 0 : x;
+    }
+    for (int i = 0; i < 3; i++) {
+        int fewer[3] = {m[0] - (i == 0), m[1] - (i == 1), m[2] - (i == 2)}, rest[3];
+        if (m[i] == 0 || !spanning(fewer)) /* what does not span is 0 */
+            continue;
+        for (int v = 0; v < 3; v++)
+            rest[v] = m[i] - l[i][v];
+        p = recursion(fewer, type, a, b);
+        add_multiple(z, p, n - 1, l[i], n);
+        free_polynomial(p);
+        p = recursion(fewer, type, a - e[i].a, b - e[i].b);
+        add_multiple(z, p, n - 1, rest, n);
+        free_polynomial(p);
+    }
+    return z;
+}
+
+/* b(n,l) in s and t: as polynomials in w0 and w1. */
+static polynomial *spline_recursion(int n, int l)
+{
+    polynomial *z = new_polynomial(), *p;
+    int here[3] = {l, l + 1, 0}, back[3] = {n + 1 - l, n - l, 0};
+    if (n == 0)
+        MUST(rational_set_si(&z->c[0], l == 0, 1));
+    if (n == 0 || l < 0 || l > n)
+        return z;
+    p = spline_recursion(n - 1, l);
+    add_multiple(z, p, n - 1, here, n);
+    free_polynomial(p);
+    p = spline_recursion(n - 1, l - 1);
+    add_multiple(z, p, n - 1, back, n);
+    free_polynomial(p);
+    return z;
+}
+
+/* times and shift are those of the mask. */
+static void check_recursion(const setting *s, const int times[3], lattice shift)
+{
+    rational part;
+    rational_init(&part);
+    for (int t = 0; t < (s->mesh == MESH_TRIANGLE ? 2 : 1); t++) {
+        element_type type = type_of(s, t);
+        bernstein_shape shape = bernstein_get_shape(&s->b, type);
+        for (int y = 0; y < s->b.columns[type]; y++) {
+            lattice at = s->stencil.window[type].point[y];
+            polynomial *p = NULL, *q = NULL;
+            at = (lattice){-at.a - shift.a, -at.b - shift.b};
+            if (s->mesh == MESH_TRIANGLE) {
+                p = recursion(times, type, at.a, at.b);
+            } else {
+                p = spline_recursion(times[0] - 1, at.a);
+                q = spline_recursion(times[1] - 1, at.b);
+            }
+            for (int j = 0; j <= shape.degree[1]; j++)
+                for (int i = 0; i <= bernstein_shape_last(shape, j); i++) {
+                    int row = bernstein_shape_index(shape, i, j);
+                    MUST(rational_set_si(&part, bernstein_shape_multiplicity(shape, i, j), 1));
+                    MUST(rational_mul(&part, &part, bernstein_at(&s->b, type, row, y)));
+                    if (q)
+                        MUST(rational_mul(&p->c[MOST_COEFFICIENTS - 1], &p->c[i], &q->c[j]));
+                    CHECK(rational_equal(&part, q ? &p->c[MOST_COEFFICIENTS - 1] : &p->c[row]), "%d, %d, %d: coefficient (%d,%d) of label (%d,%d)", times[0],
+                          times[1], times[2], i, j, at.a, at.b);
+                }
+            free_polynomial(p);
+            if (q)
+                free_polynomial(q);
+        }
+    }
+    rational_clear(&part);
+}
+
 /* ---- any box spline ---- */
 
 static void test_random(void)
@@ -379,7 +515,7 @@ static void test_random(void)
     for (test_cases(40); test_next();) {
         static const lattice direction[3] = {{1, 0}, {0, 1}, {1, -1}};
         laurent mask, factor;
-        lattice point[2] = {{0, 0}, {0, 0}};
+        lattice point[2] = {{0, 0}, {0, 0}}, shift;
         rational weight[2];
         setting s;
         mesh_kind mesh = (mesh_kind)random_below(3);
@@ -392,7 +528,7 @@ static void test_random(void)
             for (int d = 0; d < 3; d++)
                 times[d] = mesh == MESH_TRIANGLE || d < 2 ? (int)random_range(0, 3) : 0;
         while ((times[0] > 0) + (times[1] > 0) + (times[2] > 0) < 2);
-        point[0] = (lattice){(int)random_range(-3, 3), (int)random_range(-3, 3)};
+        point[0] = shift = (lattice){(int)random_range(-3, 3), (int)random_range(-3, 3)};
         MUST(rational_set_si(&weight[0], spoilt && random_bool() ? 5 : 4, 1));
         spoilt = spoilt && rational_cmp_si(&weight[0], 5, 1) == 0;
         MUST(laurent_set_terms(&mask, point, weight, 1));
@@ -410,6 +546,8 @@ static void test_random(void)
             CHECK(mesh == MESH_TRIANGLE ? s.b.degree[0] == total - 2 : s.b.degree[0] == times[0] - 1 && s.b.degree[1] == times[1] - 1, "degrees");
             check_sums(&s);
             check_refinement(&s);
+            if (total <= 6 || s.mesh != MESH_TRIANGLE)
+                check_recursion(&s, times, shift);
             if (continuous)
                 check_segments(&s);
             else

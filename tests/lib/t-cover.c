@@ -35,7 +35,7 @@ static void set_scale(number *scale, double bound)
     number_upper(scale, scale, PRECISION);
 }
 
-static const cover_limits patient = {100000, 0, 10000};
+static const cover_limits patient = {.tries = 100000, .power = 10000};
 
 /* Numbers of one catalogue scheme at valence k. */
 static void open_numbers(scheme *s, scheme_numbers *numbers, const char *name, long k)
@@ -68,12 +68,12 @@ static void check_bound(const char *name, long k, long first)
     cover_list_init(&list);
     found = cover_search(&list, &numbers, &scale, m, &patient, &d);
     CHECK(found.status == BLOCK_OK && found.proved && cover_list_partitions(&list, m), "%s, k = %ld: nothing found, open %ld to %ld", name, k, found.open.first, found.open.last);
-    CHECK(cover_verify(&list, &numbers, &scale, m, &d).proved, "%s, k = %ld: what was found is no proof", name, k);
+    CHECK(cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "%s, k = %ld: what was found is no proof", name, k);
     set_scale(&scale, largest * (1 - 1e-4));
-    found = cover_verify(&list, &numbers, &scale, m, &d);
+    found = cover_verify(&list, &numbers, &scale, m, NULL, &d);
     CHECK(!found.proved && found.open.first <= where && where <= found.open.last, "%s, k = %ld: verified too small a number", name, k);
     cover_list_clear(&list);
-    found = cover_search(&list, &numbers, &scale, m, &(cover_limits){1000, 50, 10000}, &d);
+    found = cover_search(&list, &numbers, &scale, m, &(cover_limits){.tries = 1000, .open = 50, .power = 10000}, &d);
     CHECK(!found.proved && found.open.first <= where && where <= found.open.last, "%s, k = %ld: proved too small a number", name, k);
     CHECK(cover_list_partitions(&list, m), "%s, k = %ld: something is in no box", name, k);
     for (size_t i = 0; i < list.count; i++)
@@ -119,7 +119,7 @@ static void check_count(const char *name, long k, double limit, long most)
     cover_list_init(&list);
     found = cover_search(&list, &numbers, &scale, m, &patient, &d);
     CHECK(found.proved && found.tries <= most, "%s, k = %ld: proved %d, %zu boxes, %ld tries", name, k, found.proved, list.count, found.tries);
-    CHECK(cover_verify(&list, &numbers, &scale, m, &d).proved, "%s, k = %ld: no proof", name, k);
+    CHECK(cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "%s, k = %ld: no proof", name, k);
     cover_list_clear(&list);
     number_clear(&scale);
     scheme_numbers_free(&numbers);
@@ -133,6 +133,43 @@ static void test_counts(void)
     check_count("loop", 3000000, 0.625, 15);
     check_count("catmull-clark", 10000, 0.65450849718747371, 40);
     check_count("catmull-clark", 1000000, 0.65450849718747371, 65);
+    test_end();
+}
+
+/* Three boxes, then no time is left. */
+static bool after_three(const void *data)
+{
+    return ++*(long *)data > 3;
+}
+
+static void test_stop(void)
+{
+    scheme s;
+    scheme_numbers numbers;
+    cover_list list;
+    cover_limits limits = patient;
+    cover_answer found;
+    diagnostic d;
+    number scale;
+    long asked = 0;
+    frequencies m = {2, 500};
+    test_begin("cover-stops");
+    number_init(&scale);
+    open_numbers(&s, &numbers, "catmull-clark", 1000);
+    set_scale(&scale, 0.654505);
+    cover_list_init(&list);
+    limits.stop = (cover_stop){after_three, &asked};
+    found = cover_search(&list, &numbers, &scale, m, &limits, &d);
+    CHECK(found.stopped && !found.proved && found.status == BLOCK_OK && found.tries == 3, "the search: %ld tries", found.tries);
+    list.count = 0;
+    CHECK(cover_search(&list, &numbers, &scale, m, &patient, &d).proved, "without a limit");
+    asked = 0;
+    found = cover_verify(&list, &numbers, &scale, m, &limits.stop, &d);
+    CHECK(found.stopped && !found.proved && found.tries == 3, "the proof: %ld tries", found.tries);
+    cover_list_clear(&list);
+    number_clear(&scale);
+    scheme_numbers_free(&numbers);
+    scheme_clear(&s);
     test_end();
 }
 
@@ -150,28 +187,28 @@ static void test_lists(void)
     set_scale(&scale, 0.654505);
     cover_list_init(&list);
     CHECK(cover_search(&list, &numbers, &scale, m, &patient, &d).proved && list.count > 3, "search");
-    CHECK(cover_verify(&list, &numbers, &scale, m, &d).proved, "verify");
-    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){1, 500}, &d).proved, "a frequency missing in front");
-    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){2, 501}, &d).proved, "a frequency missing behind");
-    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){2, 499}, &d).proved, "a frequency too many");
+    CHECK(cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "verify");
+    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){1, 500}, NULL, &d).proved, "a frequency missing in front");
+    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){2, 501}, NULL, &d).proved, "a frequency missing behind");
+    CHECK(!cover_verify(&list, &numbers, &scale, (frequencies){2, 499}, NULL, &d).proved, "a frequency too many");
     list.box[1].power--;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "a power too low");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "a power too low");
     list.box[1].power = COVER_OPEN;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "an open box");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "an open box");
     list.box[1].power = 40;
-    CHECK(cover_verify(&list, &numbers, &scale, m, &d).proved, "a power that is high");
+    CHECK(cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "a power that is high");
     list.box[1].m.last--;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "a gap");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "a gap");
     list.box[1].m.last += 2;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "an overlap");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "an overlap");
     list.box[1].m.last--;
     list.box[0].m.last = 500;
     list.count = 1;
     list.box[0].power = 20;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "all in one box");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "all in one box");
     list.count = 0;
-    CHECK(!cover_verify(&list, &numbers, &scale, m, &d).proved, "no box");
-    CHECK(cover_verify(&list, &numbers, &scale, (frequencies){2, 1}, &d).proved, "no frequency");
+    CHECK(!cover_verify(&list, &numbers, &scale, m, NULL, &d).proved, "no box");
+    CHECK(cover_verify(&list, &numbers, &scale, (frequencies){2, 1}, NULL, &d).proved, "no frequency");
     cover_list_clear(&list);
     number_clear(&scale);
     scheme_numbers_free(&numbers);
@@ -184,6 +221,7 @@ static void tests(void)
     test_bounds();
     test_counts();
     test_lists();
+    test_stop();
 }
 
 MAIN(tests);

@@ -40,6 +40,25 @@ static inline void subject_make(subject *z, const char *mask, const char *centre
     MUST(problem_make(&z->problem, &z->scheme));
 }
 
+/* parameter: "name=value" or NULL. */
+static inline void subject_from_catalogue(subject *z, const char *name, const char *parameter)
+{
+    const char *parameters[] = {parameter}, *text = "";
+    scheme_settings settings = {parameters, parameter != NULL};
+    diagnostic d = {0, 0, ""};
+    for (const struct catalogue_entry *e = catalogue; e->name; e++)
+        if (!strcmp(e->name, name))
+            text = e->text;
+    scheme_init(&z->scheme);
+    problem_init(&z->problem);
+    if (scheme_read(&z->scheme, text, strlen(text), &settings, &d) != STATUS_OK) {
+        CHECK(false, "%s %s: %ld:%ld: %s", name, parameter ? parameter : "", d.line, d.column, d.text);
+        test_end();
+        exit(1);
+    }
+    MUST(problem_make(&z->problem, &z->scheme));
+}
+
 static inline void subject_clear(subject *z)
 {
     problem_clear(&z->problem);

@@ -69,6 +69,8 @@ says balls-dominant 'in block 1, simple' loop --valence 1000000000 --precision 2
 # The largest is in the middle: near k / 5.19.
 says interior 'in block 193, simple' butterfly --valence 1000
 says interior-large 'in block 1927494, simple' butterfly --valence 10000000
+# It is at w = pi, where L is even in u.
+says at-pi 'in block 500000, simple' "$SRCDIR/bench/twelve.scheme" --valence 1000001
 # Block 0 has the largest.
 says block-0 'in block 0, simple' loop-ring --valence 1000000 --set z=3/4
 

@@ -15,7 +15,8 @@ static void test_write_and_read(void)
         tree_reset(&w);
         CHECK(tree_at_end(&w) && tree_get(&w) == '\0', "a word is not empty after tree_reset");
         for (size_t i = 0; i < length; i++) {
-            expected[i] = random_bool() ? '1' : '0';
+            expected[i] = "012"[random_below(3)];
+            CHECK(tree_is_letter(expected[i]), "'%c' is no letter", expected[i]);
             MUST(tree_put(&w, expected[i]));
             CHECK(w.letter[w.length] == '\0', "no NUL behind the word");
         }
@@ -29,6 +30,14 @@ static void test_write_and_read(void)
     tree_clear(&w);
     CHECK(w.letter == NULL && w.length == 0 && tree_at_end(&w), "a word is not empty after tree_clear");
     tree_clear(&w);
+    test_end();
+}
+
+static void test_letters(void)
+{
+    test_begin("tree-letters");
+    for (int c = 0; c < 256; c++)
+        CHECK(tree_is_letter((char)c) == (c == '0' || c == '1' || c == '2'), "the letter %d", c);
     test_end();
 }
 
@@ -49,6 +58,7 @@ static void test_long_word(void)
 int main(void)
 {
     test_write_and_read();
+    test_letters();
     test_long_word();
     return test_status();
 }

@@ -134,7 +134,7 @@ static const char *read_word(size_t *size, struct record *r)
     const char *token = next_token(size, r);
 
     for (size_t i = 0; i < *size; i++)
-        if (token[i] != '0' && token[i] != '1')
+        if (token[i] != '0' && token[i] != '1' && (token[i] != '2' || !r->c->has_splines))
             rejected(r->c->file, r->line, "%s: expected a word over {0,1}", r->name);
     return token;
 }
@@ -194,21 +194,26 @@ static void read_scheme_text(struct certificate *c)
     c->scheme_size = (size_t)(c->next - c->scheme_text);
 }
 
-/* The record `name WORD` of one word */
-static bool read_word_record(struct certificate *c, const char *name, const char *word,
-                             int *line)
+/* The record `name WORD`: the number of the word among `words`, or their count. */
+static int read_choice_record(struct certificate *c, const char *name,
+                              const char *const *words, int count, int *line)
 {
     struct record r = begin_noted(c, name, line);
     size_t size;
     const char *token = next_token(&size, &r);
 
     end_record(&r);
-    return token_is(token, size, word);
+    for (int i = 0; i < count; i++)
+        if (token_is(token, size, words[i]))
+            return i;
+    return count;
 }
 
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size)
 {
+    static const char *const claim[] = { "c1", "not-c1" };
+
     memset(out, 0, sizeof *out);
     out->file = file;
     out->text = text;
@@ -217,7 +222,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
-    out->claims_c1 = read_word_record(out, "claim", "c1", &out->line_of.claim);
+    out->claim = read_choice_record(out, "claim", claim, 2, &out->line_of.claim);
     out->valence = read_decimal_record(out, "valence", MIN_VALENCE,
                                        out->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1,
                                        &out->line_of.valence);
@@ -228,18 +233,32 @@ void certificate_read_subject(struct certificate *out, const char *file,
 /* The choices
  * ----------- */
 
+/* plain: the form of m = 0. */
 static void read_form(struct certificate *c)
 {
-    const char *before = c->next;
-    int line = c->line;
+    static const char *const form[] = { "real", "complex", "plain" };
+    int choice = read_choice_record(c, "form", form, 3, &c->line_of.form);
 
-    c->real = read_word_record(c, "form", "real", &c->line_of.form);
-    if (c->real)
-        return;
-    c->next = before;
-    c->line = line;
-    if (!read_word_record(c, "form", "complex", &c->line_of.form))
-        rejected(c->file, line, "form: expected `real` or `complex`");
+    if (choice == 3 || (choice == 2) != (c->frequency == 0))
+        rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
+                 "frequency 0 `plain`");
+    c->real = choice != 1;
+}
+
+static void read_reason(struct certificate *c)
+{
+    static const char *const reason[] = { "frequency", "not-c0", "fold" };
+    int choice = read_choice_record(c, "reason", reason, 3, &c->line_of.reason), line;
+
+    if (choice == 3)
+        rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0` or "
+                 "`fold`");
+    c->reason = (enum reason)(REASON_FREQUENCY + choice);
+    c->frequency = read_decimal_record(c, "frequency", 0, MAX_VALENCE_1, &line);
+    if (2 * c->frequency >= c->valence ||
+        (c->reason == REASON_FREQUENCY && c->frequency == 1) ||
+        (c->reason == REASON_FOLD && c->frequency != 1))
+        rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
 }
 
 void certificate_read_form(struct certificate *out, bool plainly_regular)
@@ -250,6 +269,7 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
         out->contraction[i] = (int)read_decimal(&r, 1, MAX_CONTRACTION);
     end_record(&r);
     out->real = true;
+    out->frequency = 1;
     for (int i = 0; i < 3; i++)
         out->stability[i] = 1024;
     if (out->version == 0 || plainly_regular)
@@ -260,6 +280,8 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
         out->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
     }
     end_record(&r);
+    if (out->claim == CLAIM_NOT_C1)
+        read_reason(out);
     read_form(out);
 }
 
@@ -342,7 +364,8 @@ static void read_blocks(struct certificate *c)
         b->power = (int)read_decimal(&r, 0, MAX_POWER);
         end_record(&r);
         if (b->first != next || b->last < b->first || b->last > half ||
-            (next <= 1 && b->last > next))
+            (b->first < b->last && (next <= 1 || (b->first <= c->frequency &&
+                                                  c->frequency <= b->last))))
             rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
                      "ranges without gaps up to %lld", (long long)half);
         next = b->last + 1;
@@ -352,6 +375,17 @@ static void read_blocks(struct certificate *c)
     if (next <= half)
         rejected(c->file, c->line, "block: the frequencies from %lld on are missing",
                  (long long)next);
+}
+
+static void read_trees(struct certificate *c, const char *name, const char **word,
+                       size_t *size, int *line)
+{
+    struct record r = begin_noted(c, name, line);
+
+    *word = read_word(size, &r);
+    end_record(&r);
+    if (c->regularity_size + c->boundary_size > MAX_ELEMENTS)
+        cannot_check_at(c->file, *line, 0, "expected at most %d elements", MAX_ELEMENTS);
 }
 
 static void read_decisions(struct certificate *c)
@@ -365,22 +399,40 @@ static void read_decisions(struct certificate *c)
             rejected(c->file, r.line, "halfplane: expected a small number");
     }
     end_record(&r);
+    read_trees(c, "regularity", &c->regularity, &c->regularity_size,
+               &c->line_of.regularity);
+    read_trees(c, "boundary", &c->boundary, &c->boundary_size, &c->line_of.boundary);
+}
 
-    r = begin_noted(c, "regularity", &c->line_of.regularity);
-    c->regularity = read_word(&c->regularity_size, &r);
+/* `witness D P`: P digits from 0 to 3, or `-` */
+static void read_witness(struct certificate *c)
+{
+    struct witness *w = &c->witness[c->witnesses++];
+    struct record r = begin_noted(c, "witness", &w->line);
+
+    w->element = read_decimal(&r, 0, MAX_ELEMENTS);
+    w->path = next_token(&w->path_size, &r);
     end_record(&r);
+    if (token_is(w->path, w->path_size, "-"))
+        w->path_size = 0;
+    for (size_t i = 0; i < w->path_size; i++)
+        if (w->path[i] < '0' || w->path[i] > '3')
+            rejected(c->file, w->line, "witness: expected digits from 0 to 3, or `-`");
+}
 
-    r = begin_noted(c, "boundary", &c->line_of.boundary);
-    c->boundary = read_word(&c->boundary_size, &r);
-    end_record(&r);
-
-    if (c->regularity_size + c->boundary_size > MAX_ELEMENTS)
-        cannot_check_at(c->file, c->line_of.regularity, 0,
-                        "expected at most %d elements", MAX_ELEMENTS);
+static void read_refutation(struct certificate *c)
+{
+    if (c->reason == REASON_FREQUENCY)
+        read_trees(c, "boundary", &c->boundary, &c->boundary_size, &c->line_of.boundary);
+    if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD)
+        read_witness(c);
+    if (c->reason == REASON_FOLD)
+        read_witness(c);
 }
 
 void certificate_read_choices(struct certificate *out, int n)
 {
+    out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
     out->n = n;
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
@@ -388,10 +440,13 @@ void certificate_read_choices(struct certificate *out, int n)
     read_eigenpair(out);
     if (out->version == 0)
         read_powers_0(out);
-    else
+    else if (out->reason != REASON_NOT_C0)
         read_blocks(out);
     check_total_power(out);
-    read_decisions(out);
+    if (out->claim == CLAIM_C1)
+        read_decisions(out);
+    else
+        read_refutation(out);
 }
 
 /* `records` counts the lines above it, `sha256` is the hash of all bytes above

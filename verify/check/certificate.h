@@ -19,20 +19,30 @@ struct block_record {
     int line;
 };
 
+/* An element of level 0, and the way to a descendant: digits, or `-`. */
+struct witness {
+    int64_t element;
+    const char *path;
+    size_t path_size;
+    int line;
+};
+
 struct certificate {
     const char *file;
 
     int version;
     const char *scheme_text;                       /* canonical, it says */
     size_t scheme_size;
-    bool claims_c1;
+    enum claim { CLAIM_C1, CLAIM_NOT_C1, CLAIM_OTHER } claim;
     int64_t valence;                               /* k */
     int grid;                                      /* g */
 
     int contraction[3];
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
-    bool real;                                     /* the form */
+    enum reason { REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD } reason;
+    int64_t frequency;                             /* m of the eigenpair; c1: 1 */
+    bool real;                                     /* the form; also `plain` */
     int pivot;                                     /* from 1 on */
     integer eigenvalue[2];                         /* real form: [0] */
     int n;                                         /* number of unknowns of a block */
@@ -44,11 +54,14 @@ struct certificate {
     int blocks;
     struct block_record *block;
     int64_t normal[2];
-    const char *regularity, *boundary;             /* words over {0,1} */
+    bool has_splines;                              /* 2 is a letter */
+    const char *regularity, *boundary;             /* words over {0,1,2} */
     size_t regularity_size, boundary_size;
+    int witnesses;
+    struct witness witness[2];
 
     struct {                                       /* for messages */
-        int scheme, claim, valence, grid, contraction, stability, form, pivot;
+        int scheme, claim, valence, grid, contraction, stability, reason, form, pivot;
         int eigenvalue, radius, modulus, halfplane, regularity, boundary;
     } line_of;
 
@@ -60,10 +73,11 @@ struct certificate {
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size);
 
-/* `contraction` and, if not plainly regular, `stability` and `form`. */
+/* `contraction` and, if not plainly regular, what follows up to `form`. */
 void certificate_read_form(struct certificate *out, bool plainly_regular);
 
-/* What follows up to `boundary`, for blocks of n unknowns. */
+/* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
+ * less than block 0 has). */
 void certificate_read_choices(struct certificate *out, int n);
 
 void certificate_read_end(struct certificate *out);

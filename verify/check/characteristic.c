@@ -76,12 +76,14 @@ static struct net extend_net(const struct net *old, const struct block *block,
     if (rings <= old->rings)
         cannot_check("the checker cannot extend the characteristic net");
     out = net_make(mesh, rings);
+    out.centre = old->centre;                      /* for m = 0, which keeps it */
     new = net_subdivide(old, block, rings);
     for (int a = 1; a <= rings; a++)
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
             net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
                 ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real, block->v->g));
+                : divide(net_value(&new, block, a, b), pair, block->real || block->plain,
+                         block->v->g));
     return out;
 }
 
@@ -130,6 +132,35 @@ static void prepare_refinable(struct refinable *f, const struct mask *q, int64_t
         f->window[kind] = window_make((enum element_kind)kind, &f->mask, mesh);
 }
 
+/* The polynomials of limits, if the mask is of a box spline and trees ask for them. */
+static void prepare_basis(struct refinable *f, const struct spline *s,
+                          const struct characteristic *c, bool boundary, int g)
+{
+    f->has_basis = true;
+    for (int kind = 0; kind < ELEMENT_KINDS; kind++)
+        if (is_decided_on((enum element_kind)kind, c->mesh, boundary))
+            f->has_basis = f->has_basis &&
+                           basis_make(&f->basis[kind], s, (enum element_kind)kind, c->mesh,
+                                      &f->window[kind], g);
+}
+
+static void prepare_bases(struct characteristic *out, const struct mask *mask, int g,
+                          const struct certificate *c)
+{
+    struct spline s, s1, s2;
+
+    if (!spline_find(&s, mask, out->mesh))
+        return;
+    s1 = spline_derivative(&s, 0);
+    s2 = spline_derivative(&s, 1);
+    if (c->boundary_size > 0 && memchr(c->boundary, '2', c->boundary_size) != NULL)
+        prepare_basis(&out->value, &s, out, true, g);
+    if (c->regularity_size > 0 && memchr(c->regularity, '2', c->regularity_size) != NULL) {
+        prepare_basis(&out->first, &s1, out, false, g);
+        prepare_basis(&out->second, &s2, out, false, g);
+    }
+}
+
 void characteristic_prepare(struct characteristic *out, const struct block *block,
                             const struct eigenpair *pair, const struct mask q[3],
                             const struct certificate *c)
@@ -163,4 +194,5 @@ void characteristic_prepare(struct characteristic *out, const struct block *bloc
     collect_rho(&out->value, out, out->segment, out->segments);
     collect_rho(&out->first, out, out->element, out->elements);
     collect_rho(&out->second, out, out->element, out->elements);
+    prepare_bases(out, &scheme->mask, g, c);
 }

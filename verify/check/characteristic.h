@@ -5,6 +5,7 @@
 
 #include "element.h"
 #include "spectrum.h"
+#include "spline.h"
 
 /* One of the three refinable functions that are decided on: the differences
  * d1, d2 (refined by q_1 = 2 a_1, q_2 = 2 a_2) and the values (by q_0). */
@@ -14,6 +15,8 @@ struct refinable {
     int shift_a, shift_b;                          /* (1,0), (0,1); (0,0): values */
     int64_t stability;                             /* T: K <= T/1024 */
     integer rho_x, rho_y;
+    bool has_basis;                                /* the mask is of a box spline */
+    struct basis basis[ELEMENT_KINDS];             /* those that occur */
 };
 
 struct characteristic {

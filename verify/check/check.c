@@ -29,6 +29,7 @@ struct statement {
     size_t text_size, canonical_size;
     struct setting *settings;
     int setting_count;
+    bool not_c1;                                   /* the claim */
 
     bool is_read;                                  /* the scheme, what is below */
     struct scheme scheme;
@@ -36,7 +37,6 @@ struct statement {
     struct derived_masks derived;
     struct mask q[3];                              /* a, 2 a_1, 2 a_2 */
     struct proved proved;
-    struct mark mark;                              /* above all this */
 };
 
 /* Section 3
@@ -96,13 +96,14 @@ static void apply_setting(struct statement *s, const struct setting *setting)
 }
 
 struct statement *statement_new(const char *scheme_file, struct setting *settings,
-                                int setting_count)
+                                int setting_count, bool not_c1)
 {
     struct statement *out = allocate(1, sizeof *out);
 
     out->file = scheme_file;
     out->settings = settings;
     out->setting_count = setting_count;
+    out->not_c1 = not_c1;
     return out;
 }
 
@@ -125,8 +126,9 @@ static void compare_subject(const struct certificate *c, const struct statement 
     }
     if (same < s->canonical_size || same < c->scheme_size)
         rejected(c->file, line, "scheme: expected the text of the given scheme");
-    if (!c->claims_c1)
-        rejected(c->file, c->line_of.claim, "claim: expected c1");
+    if (c->claim != (s->not_c1 ? CLAIM_NOT_C1 : CLAIM_C1))
+        rejected(c->file, c->line_of.claim, "claim: expected %s",
+                 s->not_c1 ? "not-c1" : "c1");
     if (c->valence != k)
         rejected(c->file, c->line_of.valence, "valence: expected %lld", (long long)k);
 }
@@ -214,27 +216,72 @@ static void check_nonnegative(const struct statement *s, const struct certificat
 /* Sections 5 and 6
  * ---------------- */
 
-/* block: that of m = 1. */
-static struct eigenpair check_spectrum(const struct block *block,
-                                       const struct certificate *c)
+/* Of block 0 what is left beside the constant net: the plain form of section 10. */
+static interval *without_constants(const interval *b, int n)
 {
-    interval *matrix = block_matrix(block);
-    struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
+    interval *out = allocate((size_t)(n - 1) * (size_t)(n - 1), sizeof out[0]);
 
-    spectrum_prove_rest(matrix, block->size, c->grid, &pair, &c->block[1], c);
+    for (int i = 1; i < n; i++)
+        for (int j = 1; j < n; j++)
+            out[(i - 1) * (n - 1) + j - 1] = interval_sub(b[i * n + j], b[j]);
+    return out;
+}
+
+/* The net's unknowns from the box of differences y:
+ * x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
+static interval *with_constants(const interval *y, interval l, const interval *b, int n,
+                                int g)
+{
+    interval *out = allocate((size_t)n, sizeof out[0]), sum = grid_from(0, g);
+
+    for (int j = 1; j < n; j++)
+        sum = interval_add(sum, grid_mul(b[j], y[j - 1], g));
+    out[0] = grid_div(sum, interval_sub(l, grid_from(1, g)), g);
+    for (int i = 1; i < n; i++)
+        out[i] = interval_add(y[i - 1], out[0]);
+    return out;
+}
+
+/* The rest: all blocks, with `matrix` for that of L, which comes first. */
+static void check_rest(const struct block *block, const interval *matrix,
+                       const struct eigenpair *pair, const struct certificate *c)
+{
+    for (int i = 0; i < c->blocks; i++)
+        if (c->block[i].first == c->frequency)
+            spectrum_prove_rest(matrix, c->size, c->grid, pair, &c->block[i], c);
     for (int i = 0; i < c->blocks; i++) {
         struct mark mark = scratch_mark();
         struct valence v = *block->v;
         struct block other;
+        int64_t first = c->block[i].first, last = c->block[i].last;
 
-        if (i == 1)
+        if (first == c->frequency)
             continue;
         v.reference.line = c->block[i].line;
-        block_prepare(&other, &v, c->real, c->block[i].first, c->block[i].last);
-        matrix = block_matrix(&other);
-        spectrum_prove_rest(matrix, other.size, c->grid, &pair, &c->block[i], c);
+        if (first > 1 && first == last && !valence_has_values(&v, first))
+            first--;                               /* a box of its own is too long */
+        block_prepare(&other, &v, c->frequency == 0 ? v.scheme->mirrored : c->real, first,
+                      last);
+        spectrum_prove_rest(block_matrix(&other), other.size, c->grid, pair, &c->block[i],
+                            c);
         scratch_release(mark);
     }
+}
+
+/* block: that of L.  In the plain form the eigenpair is about differences, and comes
+ * back as the net. */
+static struct eigenpair check_spectrum(const struct block *block,
+                                       const struct certificate *c)
+{
+    interval *b = block_matrix(block), *matrix = b;
+    struct eigenpair pair;
+
+    if (block->plain)
+        matrix = without_constants(b, block->n);
+    pair = spectrum_prove_eigenpair(matrix, c->grid, c);
+    check_rest(block, matrix, &pair, c);
+    if (block->plain)
+        pair.unknowns = with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
     return pair;
 }
 
@@ -250,6 +297,26 @@ static interval eigenvalue_size(const struct eigenpair *pair, bool real, int g)
                                   grid_mul(pair->imaginary, pair->imaginary, g)), g);
 }
 
+/* Section 8, or the decisions of section 10. */
+static void decide(const struct characteristic *characteristic, const struct certificate *c)
+{
+    switch (c->reason) {
+    case REASON_NONE:
+        decide_regularity(characteristic, c);
+        decide_boundary(characteristic, c);
+        break;
+    case REASON_FREQUENCY:
+        decide_outer_curve(characteristic, c);
+        break;
+    case REASON_NOT_C0:
+        decide_not_zero(characteristic, c);
+        break;
+    case REASON_FOLD:
+        decide_fold(characteristic, c);
+        break;
+    }
+}
+
 static struct verified check_choices(struct statement *s, struct certificate *c)
 {
     struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
@@ -261,17 +328,19 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
     out.plainly_regular = v->plainly_regular && c->version > 0;
+    if (s->not_c1 && (c->version == 0 || out.plainly_regular))
+        rejected(c->file, c->line_of.claim, "claim: there is no such certificate");
     certificate_read_form(c, out.plainly_regular);
     if (out.plainly_regular) {
         certificate_read_end(c);
         check_contraction(s, c);
         return out;
     }
-    if (c->real && !s->scheme.mirrored)
+    if (c->real && c->frequency > 0 && !s->scheme.mirrored)
         rejected(c->file, c->line_of.form,
                  "form: the scheme is not evidently mirror-symmetric");
-    block_prepare(&block, v, c->real, 1, 1);
-    certificate_read_choices(c, block.n);
+    block_prepare(&block, v, c->real, c->frequency, c->frequency);
+    certificate_read_choices(c, block.plain ? block.n - 1 : block.n);
     certificate_read_end(c);
 
     check_contraction(s, c);
@@ -281,34 +350,37 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     if (c->version == 0)
         check_nonnegative(s, c);
     characteristic_prepare(&characteristic, &block, &pair, s->q, c);
-    decide_regularity(&characteristic, c);
-    decide_boundary(&characteristic, c);
-    out.real = c->real;
-    out.eigenvalue = eigenvalue_size(&pair, c->real, c->grid);
+    decide(&characteristic, c);
+    out.real = c->real && !s->not_c1;
+    out.frequency = c->frequency;
+    out.eigenvalue = eigenvalue_size(&pair, out.real, c->grid);
     return out;
 }
 
 struct verified check_certificate(struct statement *s, int64_t k, const char *file)
 {
     struct certificate *c;
+    struct verified out;
+    struct mark mark;
     size_t size;
     char *bytes;
 
-    if (s->is_read)
-        scratch_release(s->mark);
-    else
+    if (!s->is_read)
         read_statement(s);
+    mark = scratch_mark();
     c = allocate(1, sizeof *c);
     bytes = text_read_file(file, MAX_CERTIFICATE_BYTES, &size);
     certificate_read_subject(c, file, bytes, size);
     compare_subject(c, s, k);
     if (!s->is_read) {
         read_scheme(s);
-        s->mark = scratch_mark();
+        mark = scratch_mark();
     }
     if (c->version == 0 && s->scheme.language.beyond_0.message != NULL)
         cannot_check_at(s->file, s->scheme.language.beyond_0.line,
                         s->scheme.language.beyond_0.column, "%s",
                         s->scheme.language.beyond_0.message);
-    return check_choices(s, c);
+    out = check_choices(s, c);
+    interval_keep(mark, &out.eigenvalue, 1);
+    return out;
 }

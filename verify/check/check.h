@@ -9,16 +9,17 @@
 struct statement;
 
 struct statement *statement_new(const char *scheme_file, struct setting *settings,
-                                int setting_count);
+                                int setting_count, bool not_c1);
 
 struct verified {
     bool plainly_regular, real;
+    int64_t frequency;                             /* m */
     interval eigenvalue;                           /* L or |L|, on the grid g */
     int g;
 };
 
-/* Verifies that the certificate in the file proves the scheme C1 at valence k:
- * returns only if everything is proved.  What it returns lives until the next call. */
+/* Verifies that the certificate in the file proves the scheme C1 (or not C1) at valence k:
+ * returns only if everything is proved. */
 struct verified check_certificate(struct statement *s, int64_t k, const char *file);
 
 /* The name of the scheme, once a certificate has been checked. */

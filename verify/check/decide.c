@@ -24,6 +24,8 @@ struct tree {
     int functions;
     const struct refinable *f[MAX_FUNCTIONS];
     bool (*decide)(const struct tree *t, const struct pair *box);
+    bool (*decide_coefficients)(const struct tree *t, enum element_kind kind,
+                                struct pair *const *coefficient);
 };
 
 /* The patches of an element. */
@@ -146,6 +148,82 @@ static bool half_plane_contains(const struct tree *t, const struct pair *box)
                                              grid_mul(grid_from(n[1], g), box->y, g)));
 }
 
+/* det(d1, d2) < 0 */
+static bool jacobian_is_negative(const struct tree *t, const struct pair *box)
+{
+    struct pair turned[2] = { box[1], box[0] };
+
+    return jacobian_is_positive(t, turned);
+}
+
+static bool is_not_zero(const struct tree *t, const struct pair *box)
+{
+    (void)t;
+    return !interval_contains_zero(box->x) || !interval_contains_zero(box->y);
+}
+
+/* Coefficients
+ * ------------ */
+
+/* All coefficients of the Jacobian: the sum of d1_i and d2_j with i j = g. */
+static bool jacobian_coefficients_are_positive(const struct tree *t,
+                                               enum element_kind kind,
+                                               struct pair *const *c)
+{
+    const struct basis *p = &t->f[0]->basis[kind], *q = &t->f[1]->basis[kind];
+    int side_a = p->side_a + q->side_a - 1, side_b = p->side_b + q->side_b - 1;
+    int g = t->c->block->v->g;
+
+    for (int a = 0; a < side_a; a++) {
+        for (int b = 0; b < (p->triangular ? side_a - a : side_b); b++) {
+            interval sum = grid_from(0, g);
+
+            for (int i = 0; i < p->side_a && i <= a; i++) {
+                for (int j = 0; j < p->side_b && j <= b; j++) {
+                    struct pair d1, d2;
+
+                    if (!basis_has(p, kind, i, j) || !basis_has(q, kind, a - i, b - j))
+                        continue;
+                    d1 = c[0][i * p->side_b + j];
+                    d2 = c[1][(a - i) * q->side_b + b - j];
+                    sum = interval_add(sum, interval_sub(grid_mul(d1.x, d2.y, g),
+                                                         grid_mul(d1.y, d2.x, g)));
+                }
+            }
+            if (!interval_is_positive(sum))
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool half_plane_contains_coefficients(const struct tree *t, enum element_kind kind,
+                                             struct pair *const *c)
+{
+    const struct basis *p = &t->f[0]->basis[kind];
+
+    for (int i = 0; i < p->side_a; i++)
+        for (int j = 0; j < p->side_b; j++)
+            if (basis_has(p, kind, i, j) && !half_plane_contains(t, &c[0][i * p->side_b + j]))
+                return false;
+    return true;
+}
+
+/* The patch with its values widened by rho. */
+static struct pair *widened_patch(const struct pair *patch, const struct refinable *f,
+                                  int count)
+{
+    struct pair *out = allocate((size_t)count, sizeof out[0]);
+    interval x = { integer_negate(f->rho_x), f->rho_x };
+    interval y = { integer_negate(f->rho_y), f->rho_y };
+
+    for (int n = 0; n < count; n++) {
+        out[n].x = interval_add(patch[n].x, x);
+        out[n].y = interval_add(patch[n].y, y);
+    }
+    return out;
+}
+
 /* Trees
  * ----- */
 
@@ -162,17 +240,42 @@ static void check_leaf(const struct tree *t, const struct patches *patches,
                  depth, element_form[e->kind].name, e->a, e->b);
 }
 
+static void check_coefficients(const struct tree *t, const struct patches *patches,
+                               enum element_kind kind, int depth, const struct element *e)
+{
+    struct pair *coefficient[MAX_FUNCTIONS];
+
+    for (int i = 0; i < t->functions; i++) {
+        const struct refinable *f = t->f[i];
+
+        if (!f->has_basis)
+            rejected(t->certificate->file, t->line, "%s: the letter 2 is for masks of box "
+                     "splines only", t->name);
+        coefficient[i] = basis_coefficients(&f->basis[kind], &f->window[kind],
+            widened_patch(patches->of[i], f, f->window[kind].count), t->c->block->v->g);
+    }
+    if (!t->decide_coefficients(t, kind, coefficient))
+        rejected(t->certificate->file, t->line, "%s: a leaf of level %d in %s(%d,%d) is not "
+                 "decided by coefficients", t->name, depth, element_form[e->kind].name,
+                 e->a, e->b);
+}
+
 /* Checks the tree of an element of this kind and these patches, which is part of the
  * element e of level 0. */
 static void check_tree(struct tree *t, const struct patches *patches,
                        enum element_kind kind, int depth, const struct element *e)
 {
     struct mark mark = scratch_mark();
+    char letter;
 
     if (t->next == t->end)
         rejected(t->certificate->file, t->line, "%s: the word is too short", t->name);
-    if (*t->next++ == '0') {
-        check_leaf(t, patches, kind, depth, e);
+    letter = *t->next++;
+    if (letter != '1') {
+        if (letter == '0')
+            check_leaf(t, patches, kind, depth, e);
+        else
+            check_coefficients(t, patches, kind, depth, e);
         scratch_release(mark);
         return;
     }
@@ -202,17 +305,42 @@ static void check_elements(struct tree *t, const struct element *element, int el
         rejected(t->certificate->file, t->line, "%s: the word is too long", t->name);
 }
 
-void decide_regularity(const struct characteristic *c,
-                       const struct certificate *certificate)
+static struct tree regularity_tree(const struct characteristic *c,
+                                   const struct certificate *certificate)
 {
-    struct tree t = {
+    struct tree out = {
         .c = c, .certificate = certificate,
         .name = "regularity", .line = certificate->line_of.regularity,
         .next = certificate->regularity,
         .end = certificate->regularity + certificate->regularity_size,
         .functions = 2, .f = { &c->first, &c->second },
-        .decide = jacobian_is_positive
+        .decide = jacobian_is_positive,
+        .decide_coefficients = jacobian_coefficients_are_positive
     };
+
+    return out;
+}
+
+static struct tree boundary_tree(const struct characteristic *c,
+                                 const struct certificate *certificate)
+{
+    struct tree out = {
+        .c = c, .certificate = certificate,
+        .name = "boundary", .line = certificate->line_of.boundary,
+        .next = certificate->boundary,
+        .end = certificate->boundary + certificate->boundary_size,
+        .functions = 1, .f = { &c->value },
+        .decide = half_plane_contains,
+        .decide_coefficients = half_plane_contains_coefficients
+    };
+
+    return out;
+}
+
+void decide_regularity(const struct characteristic *c,
+                       const struct certificate *certificate)
+{
+    struct tree t = regularity_tree(c, certificate);
 
     check_elements(&t, c->element, c->elements);
 }
@@ -220,14 +348,67 @@ void decide_regularity(const struct characteristic *c,
 void decide_boundary(const struct characteristic *c,
                      const struct certificate *certificate)
 {
-    struct tree t = {
-        .c = c, .certificate = certificate,
-        .name = "boundary", .line = certificate->line_of.boundary,
-        .next = certificate->boundary,
-        .end = certificate->boundary + certificate->boundary_size,
-        .functions = 1, .f = { &c->value },
-        .decide = half_plane_contains
-    };
+    struct tree t = boundary_tree(c, certificate);
 
     check_elements(&t, c->segment, c->segments);
+}
+
+/* Refutations
+ * ----------- */
+
+void decide_outer_curve(const struct characteristic *c,
+                        const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+
+    t.decide = is_not_zero;
+    check_elements(&t, c->segment, c->segments);
+}
+
+/* What t decides holds for the descendant that the witness names. */
+static void check_witness(const struct tree *t, const struct element *element,
+                          int elements, const struct witness *w)
+{
+    struct mark mark = scratch_mark();
+    struct pair box[MAX_FUNCTIONS];
+    struct patches patches;
+    enum element_kind kind;
+
+    if (w->element >= elements)
+        rejected(t->certificate->file, w->line, "witness: there are %d elements", elements);
+    if (w->path_size > MAX_DEPTH)
+        cannot_check_at(t->certificate->file, w->line, 0,
+                        "witness: expected a depth of at most %d", MAX_DEPTH);
+    patches = start_patches(t, &element[w->element]);
+    kind = element[w->element].kind;
+    for (size_t i = 0; i < w->path_size; i++) {
+        int number = w->path[i] - '0';
+
+        if (number >= element_form[kind].children)
+            rejected(t->certificate->file, w->line, "witness: there is no child %d", number);
+        patches = refine_patches(t, &patches, kind, &element_form[kind].child[number]);
+        kind = element_form[kind].child[number].kind;
+    }
+    for (int i = 0; i < t->functions; i++)
+        box[i] = patch_box(patches.of[i], t->f[i], kind, t->c->version_0);
+    if (!t->decide(t, box))
+        rejected(t->certificate->file, w->line, "witness: it does not show what it should");
+    scratch_release(mark);
+}
+
+void decide_not_zero(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+
+    t.decide = is_not_zero;
+    check_witness(&t, c->segment, c->segments, &certificate->witness[0]);
+}
+
+void decide_fold(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree t = regularity_tree(c, certificate);
+
+    check_witness(&t, c->element, c->elements, &certificate->witness[0]);
+    t.decide = jacobian_is_negative;
+    check_witness(&t, c->element, c->elements, &certificate->witness[1]);
 }

@@ -13,4 +13,12 @@ void decide_regularity(const struct characteristic *c,
 void decide_boundary(const struct characteristic *c,
                      const struct certificate *certificate);
 
+/* The outer curve of one sector is proved not to meet 0; else rejects. */
+void decide_outer_curve(const struct characteristic *c,
+                        const struct certificate *certificate);
+
+/* The witnesses of `not-c0` and `fold`. */
+void decide_not_zero(const struct characteristic *c, const struct certificate *certificate);
+void decide_fold(const struct characteristic *c, const struct certificate *certificate);
+
 #endif

@@ -54,7 +54,7 @@ static void evaluate_chain(struct value *out, const struct node *f,
 {
     evaluate_into(out, f->first, e);
     if (f->kind == NODE_SUM && f->first->join == '-')
-        value_negate(out, f);
+        value_negate(out);
     for (const struct node *n = f->first->next; n != NULL; n = n->next) {
         if (f->kind == NODE_SUM || f->kind == NODE_PRODUCT)
             value_apply(out, n->join, operand(n, e), n, e->g);
@@ -67,22 +67,32 @@ static void evaluate_chain(struct value *out, const struct node *f,
         value_function(out, NULL, f, e->g);
 }
 
+/* Over a range of m the hull of all cases that may apply, up to one that certainly
+ * does. */
 static void evaluate_cases(struct value *out, const struct node *f,
                            const struct environment *e)
 {
+    bool range = e->first < e->last && (f->meaning & MEANS_M) != 0, several = false;
+
     for (const struct node *n = f->first; n != NULL; n = n->next->next) {
         enum truth truth = n->next == NULL ? YES : decide(n, e, false);
+        const struct node *here = n->next == NULL ? n : n->next;   /* no `next`: else */
 
-        if (truth == UNKNOWN) {
+        if (truth == UNKNOWN && !range) {
             value_undefine(out, n, "this comparison cannot be decided", true);
             return;
         }
-        if (truth == YES) {                        /* no `next`: else */
-            evaluate_into(out, n->next == NULL ? n : n->next, e);
+        if (truth != NO && several)
+            value_hull(out, operand(here, e), e->g);
+        else if (truth != NO)
+            evaluate_into(out, here, e);
+        if (truth == YES)
             return;
-        }
+        several = several || truth == UNKNOWN;
+        if (n->next == NULL)
+            break;
     }
-    value_undefine(out, f, "no case applies", false);
+    value_undefine(out, f, "no case certainly applies", several);
 }
 
 static void evaluate_into(struct value *out, const struct node *f,

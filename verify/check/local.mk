@@ -23,6 +23,7 @@ CHECK_SOURCES = \
   verify/check/sector.h verify/check/sector.c \
   verify/check/spectrum.h verify/check/spectrum.c \
   verify/check/element.h verify/check/element.c \
+  verify/check/spline.h verify/check/spline.c \
   verify/check/influence.h verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \

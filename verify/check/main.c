@@ -29,6 +29,7 @@
  *     sector          section 5, sector nets and blocks
  *     spectrum        section 6, the spectrum
  *     element         section 7, elements, windows, rings
+ *     spline          section 7, limits that are polynomials
  *     influence       section 7, how far rules matter   (lib/ring.md)
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions
@@ -47,14 +48,14 @@ enum { MAX_SETTINGS = 64, MAX_RANGES = 1000 };
 
 static const char USAGE[] =
     "Usage: smoothcert-check --scheme FILE [--set NAME=VALUE]... --valence LIST\n"
-    "                        --claim c1 CERTIFICATE|DIRECTORY\n"
-    "Checks a certificate that the scheme in FILE is C1 at a valence, or the\n"
-    "certificates DIRECTORY/valence-K.cert for all K of a list.\n"
+    "                        --claim c1|not-c1 CERTIFICATE|DIRECTORY\n"
+    "Checks a certificate that the scheme in FILE is C1 (is not C1) at a valence, or\n"
+    "the certificates DIRECTORY/valence-K.cert for all K of a list.\n"
     "\n"
     "      --scheme=FILE      the scheme, in the language of smoothcert-scheme(5)\n"
     "      --set=NAME=VALUE   a parameter's value, in place of that in FILE\n"
     "      --valence=LIST     numbers and ranges, e.g. 3..7,20\n"
-    "      --claim=CLAIM      the claim: c1 (not-c1 is not in version 1)\n"
+    "      --claim=CLAIM      the claim: c1 or not-c1\n"
     "      --help             print this text and exit\n"
     "      --version          print the version and exit\n"
     "\n"
@@ -208,10 +209,8 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
         cannot_check("no claim is given (see --help)");
     if (out->certificate == NULL)
         cannot_check("no certificate is given (see --help)");
-    if (strcmp(out->claim, "not-c1") == 0)
-        cannot_check("--claim: not-c1 is not in version 1");
-    if (strcmp(out->claim, "c1") != 0)
-        cannot_check("--claim: expected c1");
+    if (strcmp(out->claim, "c1") != 0 && strcmp(out->claim, "not-c1") != 0)
+        cannot_check("--claim: expected c1 or not-c1");
     read_valences(out);
 }
 
@@ -237,28 +236,33 @@ static const char *certificate_file(const struct arguments *a, int64_t k)
 
 enum { DIGITS = 9, TEN_TO_DIGITS = 1000000000 };
 
-/* floor (or ceiling) of a 2^-g 10^DIGITS, for 0 <= a <= 2^g. */
+/* floor (or ceiling) of a 2^-g 10^DIGITS, for 0 <= a. */
 static void print_decimal(integer a, bool ceiling, int g)
 {
     integer scaled = integer_mul(integer_from(TEN_TO_DIGITS), a);
     int64_t value;
 
     scaled = ceiling ? integer_shift_ceil(scaled, g) : integer_shift_floor(scaled, g);
-    if (!integer_get_small(&value, scaled, TEN_TO_DIGITS))
+    if (!integer_get_small(&value, scaled, INT64_MAX))
         cannot_check("the checker cannot print L");
-    printf("%d.%0*d", (int)(value / TEN_TO_DIGITS), DIGITS, (int)(value % TEN_TO_DIGITS));
+    printf("%lld.%0*d", (long long)(value / TEN_TO_DIGITS), DIGITS,
+           (int)(value % TEN_TO_DIGITS));
 }
 
 /* L lies strictly inside of its interval (section 6). */
-static void print_verified(const char *scheme, int64_t k, const struct verified *v)
+static void print_verified(const char *scheme, bool not_c1, int64_t k,
+                           const struct verified *v)
 {
     const char *name = v->real ? "L" : "|L|";
 
-    printf("verified: %s is C1 at valence %lld (", scheme, (long long)k);
+    printf("verified: %s is %sC1 at valence %lld (", scheme, not_c1 ? "not " : "",
+           (long long)k);
     if (v->plainly_regular) {
         printf("plainly regular)\n");
         return;
     }
+    if (not_c1)
+        printf("frequency %lld: ", (long long)v->frequency);
     print_decimal(v->eigenvalue.lo, false, v->g);
     printf(" < %s < ", name);
     print_decimal(v->eigenvalue.hi, true, v->g);
@@ -270,13 +274,15 @@ int main(int count, char **arguments)
     struct arguments *a = allocate(1, sizeof *a);
     struct statement *statement;
     struct verified v;
+    bool not_c1;
 
     read_arguments(a, count, arguments);
-    statement = statement_new(a->scheme, a->setting, a->settings);
+    not_c1 = strcmp(a->claim, "not-c1") == 0;
+    statement = statement_new(a->scheme, a->setting, a->settings, not_c1);
     for (int i = 0; i < a->ranges; i++) {
         for (int64_t k = a->range[i][0]; k <= a->range[i][1]; k++) {
             v = check_certificate(statement, k, certificate_file(a, k));
-            print_verified(statement_scheme_name(statement), k, &v);
+            print_verified(statement_scheme_name(statement), not_c1, k, &v);
         }
     }
     finish_output();

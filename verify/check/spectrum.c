@@ -161,28 +161,50 @@ static interval inverse_upper(integer a, int g)
         integer_shift_left(integer_from(1), 2L * g), a));
 }
 
-/* 0 < |L| < 1; returns s. */
-static interval prove_size(const struct krawczyk *s, const struct certificate *c)
+/* 0 < |L| < 1 in the real form; L < 0 for refutations by a frequency only. */
+static interval prove_real_size(const struct krawczyk *s, const struct certificate *c)
 {
-    interval one = grid_from(1, s->g), q, ell;
+    interval l = s->l_box[0];
 
-    if (s->real) {
-        if (s->l_box[0].lo.sign <= 0 || integer_compare(s->l_box[0].hi, one.lo) >= 0)
-            rejected(c->file, c->line_of.eigenvalue,
-                     "eigenvalue: its interval is not inside (0,1)");
-        return inverse_upper(s->l_box[0].lo, s->g);
-    }
-    ell = interval_thin(c->modulus);
-    q = interval_add(grid_mul(s->l_box[0], s->l_box[0], s->g),
-                     grid_mul(s->l_box[1], s->l_box[1], s->g));
+    if (c->reason == REASON_FREQUENCY && l.hi.sign < 0)
+        l = interval_minus(l);
+    if (l.lo.sign <= 0 || integer_compare(l.hi, grid_from(1, s->g).lo) >= 0)
+        rejected(c->file, c->line_of.eigenvalue,
+                 "eigenvalue: its interval is not inside (0,1)");
+    return inverse_upper(l.lo, s->g);
+}
+
+/* |L|^2 */
+static interval squared_modulus(const struct krawczyk *s)
+{
+    interval out = grid_mul(s->l_box[0], s->l_box[0], s->g);
+
+    return s->real ? out : interval_add(out, grid_mul(s->l_box[1], s->l_box[1], s->g));
+}
+
+static interval prove_complex_size(const struct krawczyk *s, const struct certificate *c)
+{
+    interval ell = interval_thin(c->modulus), q = squared_modulus(s);
+
     if (!interval_is_positive(ell) ||
         !interval_is_positive(interval_sub(q, grid_mul(ell, ell, s->g))))
         rejected(c->file, c->line_of.modulus,
                  "modulus: it is not positive, or not proved to be smaller than |L|");
-    if (integer_compare(q.hi, one.lo) >= 0)
+    if (integer_compare(q.hi, grid_from(1, s->g).lo) >= 0)
         rejected(c->file, c->line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
                  "smaller than 1");
     return inverse_upper(c->modulus, s->g);
+}
+
+/* |L| > 1: in the real form lo > 1 or hi < -1 */
+static void prove_divergence(const struct krawczyk *s, const struct certificate *c)
+{
+    integer one = grid_from(1, s->g).lo;
+    interval l = s->l_box[0].hi.sign < 0 ? interval_minus(s->l_box[0]) : s->l_box[0];
+
+    if (integer_compare(s->real ? l.lo : squared_modulus(s).lo, one) <= 0)
+        rejected(c->file, c->line_of.eigenvalue,
+                 "eigenvalue: |L| is not proved to be larger than 1");
 }
 
 struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
@@ -201,7 +223,11 @@ struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
     compute_residual(&s);
     compute_slope(&s);
     prove_inclusion(&s, c);
-    out.s = prove_size(&s, c);
+    out.s = grid_from(0, g);
+    if (c->reason == REASON_NOT_C0)
+        prove_divergence(&s, c);
+    else
+        out.s = s.real ? prove_real_size(&s, c) : prove_complex_size(&s, c);
     out.unknowns = s.box;
     out.real = s.l_box[0];
     out.imaginary = s.real ? grid_from(0, g) : s.l_box[1];
@@ -211,31 +237,31 @@ struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
 /* The rest
  * -------- */
 
-/* M' s, where M' is what is left of the block beside its known eigenvalue.  size: in
- * that of M, out that of M'. */
+/* M' s, where M' is what is left of the block beside its known eigenvalue, if it has
+ * one: 1, or L.  size: in that of M, out that of M'. */
 static interval *deflate(int *size, const interval *m, int g, const struct eigenpair *pair,
                          const struct block_record *record, const struct certificate *c)
 {
-    bool complex = record->first == 1 && !c->real;
-    int full = *size, pivot = record->first == 0 ? 0 : c->pivot - 1;
+    bool has_l = record->first == c->frequency, has_one = record->first == 0 && !has_l;
+    bool complex = has_l && !c->real;
+    int full = *size, pivot = has_l ? c->pivot - 1 : 0;
     interval *out = allocate((size_t)full * (size_t)full, sizeof out[0]), *next = out;
 
-    if (record->first <= 1)
+    if (has_l || has_one)
         *size = full - (complex ? 2 : 1);
     for (int i = 0; i < full; i++) {
         for (int j = 0; j < full; j++) {
             interval entry = m[i * full + j];
 
-            if (record->first <= 1 && (i == pivot || j == pivot))
+            if ((has_l || has_one) && (i == pivot || j == pivot))
                 continue;
             if (complex && (i == pivot + c->n || j == pivot + c->n))
                 continue;
-            if (record->first == 0) {              /* X_i = 1 */
+            if (has_one)                           /* its eigenvector is 1, 1, 1 ... */
                 entry = interval_sub(entry, m[pivot * full + j]);
-            } else if (record->first == 1) {
+            if (has_l)
                 entry = interval_sub(entry, grid_mul(pair->unknowns[i],
                                                      m[pivot * full + j], g));
-            }
             if (complex) {                         /* minus (J X)_i M_(p+n)j */
                 interval jx = i < c->n ? interval_minus(pair->unknowns[i + c->n])
                                        : pair->unknowns[i - c->n];

@@ -14,8 +14,8 @@ struct eigenpair {
     interval s;
 };
 
-/* Proves the eigenpair of the block of m = 1 with this matrix, and 0 < |L| < 1; else
- * rejects. */
+/* Proves the eigenpair of the block with this matrix, and 0 < |L| < 1 (reason not-c0:
+ * |L| > 1); else rejects. */
 struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
                                           const struct certificate *certificate);
 

@@ -141,3 +141,32 @@ void valence_prepare(struct valence *out, const struct scheme *scheme,
     }
     prepare_angles(out);
 }
+
+static bool has_value(const struct node *formula, const struct environment *e)
+{
+    struct mark mark = scratch_mark();
+    bool out = formula == NULL || evaluate(formula, e).kind != UNDEFINED;
+
+    scratch_release(mark);
+    return out;
+}
+
+bool valence_has_values(const struct valence *v, int64_t m)
+{
+    struct mark mark = scratch_mark();
+    struct environment e = environment_make(&v->scheme->language, v->k, m, m, -1, v->g);
+    bool out = true;
+
+    for (int i = 0; i < v->scheme->steps; i++) {
+        for (int n = 0; n < v->step[i].rules; n++) {
+            const struct rule *rule = v->step[i].rule[n].rule;
+
+            for (int s = 0; s < rule->count; s++)
+                if (rule->source[s].kind == SOURCE_SPECTRUM)
+                    out = out && has_value(rule->source[s].weight, &e) &&
+                          has_value(rule->source[s].imaginary, &e);
+        }
+    }
+    scratch_release(mark);
+    return out;
+}

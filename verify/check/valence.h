@@ -50,4 +50,7 @@ void valence_prepare(struct valence *out, const struct scheme *scheme,
 const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a,
                                        int b);
 
+/* Have all spectra values at the frequency m? */
+bool valence_has_values(const struct valence *v, int64_t m);
+
 #endif

@@ -6,9 +6,10 @@
 #include "answer.h"
 #include "trig.h"
 
-enum { MAX_EXPONENT = 16384 };                     /* of bases that are not exact */
+enum { MAX_EXPONENT = 16384,                       /* of bases that are not exact */
+       MAX_RANGE_BITS = 4096 };                    /* of powers in ranges of m */
 
-static const char SEVERAL[] = "it depends on m, for several frequencies at once";
+static const char SEVERAL[] = "no rule for several frequencies at once";
 
 static struct value undefined(const struct node *at, const char *fault, bool open)
 {
@@ -47,12 +48,14 @@ void value_constant(struct value *out, const struct node *f)
 void value_variable(struct value *out, int64_t first, int64_t last,
                     const struct node *at)
 {
-    struct value range = { .kind = FREQUENCIES, .first = first, .last = last };
-
-    if (first < 0)
+    if (first < 0) {
         *out = undefined(at, "k, m or j has no meaning here", false);
-    else
-        *out = first < last ? range : value_from(rational_from(first, 1));
+        return;
+    }
+    *out = value_from(rational_from(first, 1));
+    out->affine = first < last;
+    out->q_last = rational_from(last, 1);
+    out->steps = last - first;
 }
 
 void value_undefine(struct value *out, const struct node *at, const char *fault,
@@ -61,38 +64,43 @@ void value_undefine(struct value *out, const struct node *at, const char *fault,
     *out = undefined(at, fault, open);
 }
 
+static interval enclose_exact(rational q, bool angle, int g)
+{
+    interval out = grid_from_rational(q, g);
+
+    return angle ? grid_mul(out, grid_pi(g), g) : out;
+}
+
 interval value_enclose(struct value v, int g)
 {
+    interval out;
+
     if (v.kind == ENCLOSURE)
         return v.x;
-    if (v.kind == ANGLE)
-        return grid_mul(grid_from_rational(v.q, g), grid_pi(g), g);
-    if (v.kind != RATIONAL)
+    if (v.kind == UNDEFINED)
         cannot_check("the checker uses a value that is none");
-    return grid_from_rational(v.q, g);
+    out = enclose_exact(v.q, v.kind == ANGLE, g);
+    return v.affine ? interval_hull(out, enclose_exact(v.q_last, v.kind == ANGLE, g)) : out;
 }
 
 void value_keep(struct mark mark, struct value *v)
 {
-    integer part[2] = { v->kind == ENCLOSURE ? v->x.lo : v->q.num,
-                        v->kind == ENCLOSURE ? v->x.hi : v->q.den };
+    integer part[4] = { v->q.num, v->q.den, v->q_last.num, v->q_last.den };
 
-    if (v->kind == FREQUENCIES || v->kind == UNDEFINED) {
+    if (v->kind == ENCLOSURE) {
+        interval_keep(mark, &v->x, 1);
+    } else if (v->kind == UNDEFINED) {
         scratch_release(mark);
-        return;
+    } else {
+        integer_keep(mark, part, v->affine ? 4 : 2);
+        v->q = (rational) { part[0], part[1] };
+        v->q_last = (rational) { part[2], part[3] };
     }
-    integer_keep(mark, part, 2);
-    if (v->kind == ENCLOSURE)
-        v->x.lo = part[0], v->x.hi = part[1];
-    else
-        v->q.num = part[0], v->q.den = part[1];
 }
 
 void value_require(struct value v, const struct language *l, const char *certificate,
                    int line)
 {
-    if (v.kind == FREQUENCIES || (v.kind == UNDEFINED && v.at == NULL))
-        rejected(certificate, line, "a formula depends on the frequency");
     if (v.kind != UNDEFINED)
         return;
     if (v.open && certificate != NULL)
@@ -120,34 +128,45 @@ static struct value with_enclosures(struct value a, char operation, struct value
     return value_enclosure(grid_div(x, y, g));
 }
 
+static rational apply_exactly(rational a, char operation, rational b)
+{
+    return operation == '+' ? rational_add(a, b)
+         : operation == '-' ? rational_sub(a, b)
+         : operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
+}
+
 static struct value apply(struct value a, char operation, struct value b,
                           const struct node *at, int g)
 {
     bool sum = operation == '+' || operation == '-';
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
     int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
-    rational q;
+    struct value out;
 
     if (a.kind == UNDEFINED)
         return a;
     if (b.kind == UNDEFINED)
         return b;
-    if (a.kind == FREQUENCIES || b.kind == FREQUENCIES)
-        return undefined(at, SEVERAL, true);
-    if (operation == '/' && b.kind == RATIONAL && b.q.num.sign == 0)
+    if (operation == '/' && b.kind == RATIONAL && !b.affine && b.q.num.sign == 0)
         return undefined(at, "division by zero", false);
 
     /* Exact: rational with rational; angle +- angle; angle times or divided
-     * by a rational; angle / angle. */
+     * by a rational; angle / angle.  What is affine must stay so. */
     if (!both_exact || (sum && angles == 1) || (operation == '*' && angles == 2) ||
-        (operation == '/' && angles == 1 && b.kind == ANGLE))
+        (operation == '/' && angles == 1 && b.kind == ANGLE) ||
+        (operation == '*' && a.affine && b.affine) || (operation == '/' && b.affine))
         return with_enclosures(a, operation, b, at, g);
-    q = operation == '+' ? rational_add(a.q, b.q)
-      : operation == '-' ? rational_sub(a.q, b.q)
-      : operation == '*' ? rational_mul(a.q, b.q) : rational_divide(a.q, b.q);
+    out = angle(apply_exactly(a.q, operation, b.q));
     if (angles == 0 || (operation == '/' && angles == 2))
-        return value_from(q);
-    return angle(q);
+        out.kind = RATIONAL;
+    if (a.affine || b.affine) {
+        out.kind = angles == 0 || (operation == '/' && angles == 2) ? RATIONAL : ANGLE;
+        out.affine = true;
+        out.q_last = apply_exactly(a.affine ? a.q_last : a.q, operation,
+                                   b.affine ? b.q_last : b.q);
+        out.steps = a.affine ? a.steps : b.steps;
+    }
+    return out;
 }
 
 void value_apply(struct value *a, char operation, const struct value *b,
@@ -156,14 +175,14 @@ void value_apply(struct value *a, char operation, const struct value *b,
     *a = apply(*a, operation, *b, at, g);
 }
 
-void value_negate(struct value *v, const struct node *at)
+void value_negate(struct value *v)
 {
-    if (v->kind == FREQUENCIES)
-        *v = undefined(at, SEVERAL, true);
-    else if (v->kind == ENCLOSURE)
+    if (v->kind == ENCLOSURE)
         v->x = interval_minus(v->x);
     else if (v->kind != UNDEFINED)
         v->q = rational_negate(v->q);
+    if (v->affine)
+        v->q_last = rational_negate(v->q_last);
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -190,6 +209,62 @@ static rational rational_power(rational q, integer n)
     return out;
 }
 
+/* x^n for an exact x > 0 and whole n, not too large ones. */
+static interval whole_power(rational x, int64_t n, int g)
+{
+    rational out = n == 0 ? rational_from(1, 1)
+                          : rational_power(x, integer_from(n < 0 ? -n : n));
+
+    return grid_from_rational(n < 0 ? rational_divide(rational_from(1, 1), out) : out, g);
+}
+
+/* base ^ exponent, the exponent being affine in m. */
+static struct value power_of_range(struct value base, struct value exponent,
+                                   const struct node *at, int g)
+{
+    rational one = rational_from(1, 1), slope;
+    int64_t low, high, most;
+
+    if (base.kind != RATIONAL || base.affine || base.q.num.sign <= 0 ||
+        exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
+        return undefined(at, SEVERAL, true);
+    slope = rational_divide(rational_sub(exponent.q_last, exponent.q),
+                            rational_from(exponent.steps, 1));
+    if (!rational_is_whole(slope))                 /* some are not whole */
+        return undefined(at, SEVERAL, true);
+    if (rational_equals(base.q, 1, 1))
+        return value_from(one);
+    if (rational_compare(base.q, one) < 0) {
+        base.q = rational_divide(one, base.q);
+        exponent.q = rational_negate(exponent.q);
+        exponent.q_last = rational_negate(exponent.q_last);
+    }
+    most = MAX_RANGE_BITS / (integer_bits(base.q.num) + integer_bits(base.q.den));
+    if (!integer_get_small(&low, exponent.q.num, INT64_C(1) << 60) ||
+        !integer_get_small(&high, exponent.q_last.num, INT64_C(1) << 60))
+        return undefined(at, SEVERAL, true);
+    if (low > high) {
+        int64_t swap = low;
+
+        low = high;
+        high = swap;
+    }
+    if (most == 0 || high > most)
+        return undefined(at, SEVERAL, true);
+    return value_enclosure(interval_hull(low < -most ? grid_from(0, g)
+                                               : whole_power(base.q, low, g),
+                                   whole_power(base.q, high < -most ? -most : high, g)));
+}
+
+/* Has q^n certainly more than 16,384 bits?  A number of b bits is at least 2^(b-1). */
+static bool is_too_long(rational q, integer n)
+{
+    long num = integer_bits(q.num), den = integer_bits(q.den);
+    integer bits = integer_mul(n, integer_from((num > den ? num : den) - 1));
+
+    return integer_compare(bits, integer_from(RATIONAL_BITS)) >= 0;
+}
+
 static struct value power(struct value base, struct value exponent, bool minus,
                           const struct node *at, int g)
 {
@@ -198,17 +273,19 @@ static struct value power(struct value base, struct value exponent, bool minus,
 
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
         return base.kind == UNDEFINED ? base : exponent;
-    if (base.kind == FREQUENCIES || exponent.kind == FREQUENCIES)
-        return undefined(at, SEVERAL, true);
+    if (minus)
+        value_negate(&exponent);
+    if (exponent.affine)
+        return power_of_range(base, exponent, at, g);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
         return undefined(at, "the exponent is not a whole number", false);
-    if (minus)
-        exponent.q = rational_negate(exponent.q);
     if (exponent.q.num.sign == 0)
         return one;
     minus = exponent.q.num.sign < 0;
     exponent.q.num = integer_absolute(exponent.q.num);
-    if (base.kind == RATIONAL) {
+    if (base.kind == RATIONAL && !base.affine && is_too_long(base.q, exponent.q.num)) {
+        return undefined(at, "it is too long", true);
+    } else if (base.kind == RATIONAL && !base.affine) {
         out = value_from(rational_power(base.q, exponent.q.num));
     } else {
         if (!integer_get_small(&n, exponent.q.num, MAX_EXPONENT))
@@ -220,6 +297,16 @@ static struct value power(struct value base, struct value exponent, bool minus,
             out = apply(out, '*', base, at, g);
     }
     return minus ? apply(one, '/', out, at, g) : out;
+}
+
+void value_hull(struct value *a, const struct value *b, int g)
+{
+    if (a->kind == UNDEFINED)
+        return;
+    if (b->kind == UNDEFINED)
+        *a = *b;
+    else
+        *a = value_enclosure(interval_hull(value_enclose(*a, g), value_enclose(*b, g)));
 }
 
 void value_power(struct value *base, const struct value *exponent, bool minus,
@@ -256,37 +343,19 @@ static enum truth holds_for_signs(char join, int low, int high)
     return out;
 }
 
-/* m, for all of a range, and an exact number. */
-static enum truth compare_frequencies(char join, struct value m, rational q)
-{
-    int first = rational_compare(q, rational_from(m.first, 1));
-    int last = rational_compare(q, rational_from(m.last, 1));
-
-    if (first > 0 && last < 0 && !rational_is_whole(q) && (join == '=' || join == '!'))
-        return join == '!' ? YES : NO;
-    return holds_for_signs(join, last, first);
-}
-
-static char mirrored(char join)
-{
-    return join == '<' ? '>' : join == '>' ? '<' : join == 'l' ? 'g'
-         : join == 'g' ? 'l' : join;
-}
-
 static enum truth compare(struct value a, char join, struct value b, int g)
 {
     interval difference;
 
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
-    if (a.kind == FREQUENCIES && b.kind == RATIONAL)
-        return compare_frequencies(join, a, b.q);
-    if (a.kind == RATIONAL && b.kind == FREQUENCIES)
-        return compare_frequencies(mirrored(join), b, a.q);
-    if (a.kind == FREQUENCIES || b.kind == FREQUENCIES)
-        return UNKNOWN;
-    if (a.kind == b.kind && a.kind != ENCLOSURE)
-        return holds_for_sign(join, rational_compare(b.q, a.q));
+    if (a.kind == b.kind && a.kind != ENCLOSURE) {
+        int first = rational_compare(b.q, a.q);
+        int last = rational_compare(b.affine ? b.q_last : b.q, a.affine ? a.q_last : a.q);
+
+        return holds_for_signs(join, first < last ? first : last,
+                               first < last ? last : first);
+    }
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
     return holds_for_signs(join, difference.lo.sign, difference.hi.sign);
 }
@@ -299,13 +368,51 @@ enum truth value_compare(const struct value *a, char join, const struct value *b
 /* Functions
  * --------- */
 
+static interval enclose_cos_pi(rational q, int g)
+{
+    rational exact;
+
+    return rational_cos_pi(&exact, q) ? grid_from_rational(exact, g) : grid_cos_pi(q, g);
+}
+
+/* Is there a whole number n with low <= 2 n + shift <= high? */
+static bool passes(rational low, rational high, int shift)
+{
+    rational two = rational_from(2, 1), s = rational_from(shift, 1);
+    rational n = rational_floor(rational_divide(rational_sub(high, s), two));
+
+    return rational_compare(rational_add(rational_mul(two, n), s), low) >= 0;
+}
+
+/* cos of the angles from q pi to q_last pi */
+static interval cos_of_range(rational q, rational q_last, int g)
+{
+    interval out = interval_hull(enclose_cos_pi(q, g), enclose_cos_pi(q_last, g));
+    bool rising = rational_compare(q, q_last) <= 0;
+    rational low = rising ? q : q_last, high = rising ? q_last : q;
+
+    if (passes(low, high, 0))
+        out = interval_hull(out, grid_from(1, g));
+    if (passes(low, high, 1))
+        out = interval_hull(out, grid_from(-1, g));
+    return out;
+}
+
+/* sin x = cos(pi/2 - x) */
 static struct value cos_or_sin(struct value v, const struct node *at, int g)
 {
     bool sine = at->kind == NODE_SIN;
-    rational exact;
+    rational half = rational_from(1, 2), exact;
 
-    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && v.q.num.sign != 0))
+    if (v.kind == RATIONAL && v.affine && v.q.num.sign == 0 && v.q_last.num.sign == 0)
+        v.affine = false;
+    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.affine || v.q.num.sign != 0)))
         return undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
+    if (v.affine && sine)
+        return value_enclosure(cos_of_range(rational_sub(half, v.q),
+                                      rational_sub(half, v.q_last), g));
+    if (v.affine)
+        return value_enclosure(cos_of_range(v.q, v.q_last, g));
     if (sine ? rational_sin_pi(&exact, v.q) : rational_cos_pi(&exact, v.q))
         return value_from(exact);
     return value_enclosure(sine ? grid_sin_pi(v.q, g) : grid_cos_pi(v.q, g));
@@ -315,7 +422,7 @@ static struct value square_root(struct value v, const struct node *at, int g)
 {
     interval x;
 
-    if (v.kind == RATIONAL && v.q.num.sign >= 0) {
+    if (v.kind == RATIONAL && !v.affine && v.q.num.sign >= 0) {
         rational root = { integer_root(v.q.num), integer_root(v.q.den) };
 
         if (rational_compare(rational_mul(root, root), v.q) == 0)
@@ -324,12 +431,14 @@ static struct value square_root(struct value v, const struct node *at, int g)
     x = value_enclose(v, g);
     if (x.lo.sign < 0)
         return undefined(at, "the square root of something that is or may be negative",
-                         v.kind == ENCLOSURE && x.hi.sign >= 0);
+                         (v.kind == ENCLOSURE || v.affine) && x.hi.sign >= 0);
     return value_enclosure(grid_root(x, g));
 }
 
-static struct value absolute(struct value v)
+static struct value absolute(struct value v, int g)
 {
+    if (v.affine)
+        v = value_enclosure(value_enclose(v, g));
     if (v.kind == ENCLOSURE)
         v.x = interval_abs(v.x);
     else
@@ -341,7 +450,7 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 {
     interval x, y;
 
-    if (a.kind == b.kind && a.kind != ENCLOSURE)
+    if (a.kind == b.kind && a.kind != ENCLOSURE && !a.affine && !b.affine)
         return (rational_compare(a.q, b.q) <= 0) == least ? a : b;
     x = value_enclose(a, g);
     y = value_enclose(b, g);
@@ -351,6 +460,8 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 /* x - y floor(x / y) */
 static struct value modulo(struct value a, struct value b, const struct node *at)
 {
+    if (a.affine || b.affine)
+        return undefined(at, SEVERAL, true);
     if (a.kind != RATIONAL || b.kind != RATIONAL || !rational_is_whole(a.q) ||
         !rational_is_whole(b.q))
         return undefined(at, "mod is of whole numbers", false);
@@ -366,14 +477,12 @@ void value_function(struct value *out, const struct value *b, const struct node 
         return;
     if (b != NULL && b->kind == UNDEFINED)
         *out = *b;
-    else if (out->kind == FREQUENCIES || (b != NULL && b->kind == FREQUENCIES))
-        *out = undefined(f, SEVERAL, true);
     else if (f->kind == NODE_COS || f->kind == NODE_SIN)
         *out = cos_or_sin(*out, f, g);
     else if (f->kind == NODE_SQRT)
         *out = square_root(*out, f, g);
     else if (f->kind == NODE_ABS)
-        *out = absolute(*out);
+        *out = absolute(*out, g);
     else if (f->kind == NODE_MOD)
         *out = modulo(*out, *b, f);
     else

@@ -6,7 +6,8 @@
  *
  * lib/scheme.md, "Value of a formula": an exact rational q, an angle q pi (q not
  * 0), or an enclosure.  The variable m may stand for several frequencies at once
- * (certificate.md, section 5); a formula that has no value is undefined, which
+ * ("Ranges of m"): then exact values may be affine in m, from q at the first to q_last
+ * at the last one (or these times pi).  A formula that has no value is undefined, which
  * is an error only if the value is asked for.
  */
 
@@ -14,10 +15,11 @@
 #include "grid.h"
 
 struct value {
-    enum { RATIONAL, ANGLE, ENCLOSURE, FREQUENCIES, UNDEFINED } kind;
-    rational q;                                    /* RATIONAL, ANGLE */
+    enum { RATIONAL, ANGLE, ENCLOSURE, UNDEFINED } kind;
+    bool affine;                                   /* RATIONAL, ANGLE: depends on m */
+    rational q, q_last;                            /* (q_last: if affine) */
     interval x;                                    /* ENCLOSURE */
-    int64_t first, last;                           /* FREQUENCIES */
+    int64_t steps;                                 /* affine: last - first */
     const struct node *at;                         /* UNDEFINED: where and why, */
     const char *fault;
     bool open;                                     /* and could a finer grid help? */
@@ -52,7 +54,7 @@ void value_require(struct value v, const struct language *l, const char *certifi
 /* a := a + b, a - b, a * b, a / b */
 void value_apply(struct value *a, char operation, const struct value *b,
                  const struct node *at, int g);
-void value_negate(struct value *v, const struct node *at);
+void value_negate(struct value *v);
 
 /* base := base ^ exponent, or base ^ -exponent */
 void value_power(struct value *base, const struct value *exponent, bool minus,
@@ -60,6 +62,9 @@ void value_power(struct value *base, const struct value *exponent, bool minus,
 
 /* v := f(v), or f(v, b) for functions of several arguments */
 void value_function(struct value *v, const struct value *b, const struct node *f, int g);
+
+/* a := the hull of both */
+void value_hull(struct value *a, const struct value *b, int g);
 
 enum truth { NO, YES, UNKNOWN };
 

@@ -1,0 +1,155 @@
+#!/bin/sh
+# Schemes of which it is known where they are C1: what is must be proved, what is not must never be.
+# With SECONDS_PER_TEST (make check-long) every valence of the lists is tried, not only some.
+set -u
+LC_ALL=C
+export LC_ALL
+schemes=$SRCDIR/tests/verify/schemes
+every=3..50,1000
+some=3..12,17,50,1000
+few=3,5,8,50,1000
+if [ -n "${SECONDS_PER_TEST:-}" ]; then some=$every few=$every; fi
+
+# Every valence of the list must be proved, and the program must say so by its status.
+proved() { # NAME ARGUMENT...
+  name=$1
+  shift
+  "$SMOOTHCERT" prove --out none "$@" >stdout 2>stderr
+  status=$?
+  if [ $status -eq 0 ] && [ -s stdout ] && ! grep -v -q '^proved: ' stdout; then
+    echo "PASS cases-$name"
+  else
+    echo "FAIL cases-$name: status $status: $(cat stderr stdout | grep -v '^proved: ' | head -n 1)"
+  fi
+}
+
+# None may be proved; what is not is left undecided or refuted, with status 1 or 2.
+not_proved() { # NAME ARGUMENT...
+  name=$1
+  shift
+  "$SMOOTHCERT" prove --out none "$@" >stdout 2>stderr
+  status=$?
+  if grep -q '^proved: ' stdout; then
+    echo "FAIL cases-$name: PROVED, but not C1: $(grep '^proved: ' stdout | head -n 1)"
+  elif [ $status -ne 1 ] && [ $status -ne 2 ]; then
+    echo "FAIL cases-$name: status $status: $(cat stderr stdout | head -n 1)"
+  else
+    echo "PASS cases-$name"
+  fi
+}
+
+# Both must be proved at the same valences, with the same eigenvalue, or its conjugate.
+same() { # NAME SCHEME SCHEME ARGUMENT...
+  name=$1 first=$2 second=$3
+  shift 3
+  for scheme in "$first" "$second"; do
+    "$SMOOTHCERT" prove --out none --json "$scheme" "$@" 2>stderr |
+      sed -e 's/.*"valence":\([0-9]*\),"verdict":"\([a-z]*\)".*"modulus_lower":\([0-9.]\{12\}\).*/\1 \2 \3/' >"verdicts-${scheme##*/}"
+  done
+  if [ -s "verdicts-${first##*/}" ] && cmp -s "verdicts-${first##*/}" "verdicts-${second##*/}"; then
+    echo "PASS cases-$name"
+  else
+    echo "FAIL cases-$name: $(diff "verdicts-${first##*/}" "verdicts-${second##*/}" | tr '\n' ' ' | cut -c 1-200)"
+  fi
+}
+
+catalogue() {
+  for scheme in loop loop-warren modified-loop modified-butterfly catmull-clark doo-sabin; do
+    proved $scheme $scheme --valence $every
+  done
+  for degree in 2 3 4 5; do
+    proved midpoint-$degree midpoint --set degree=$degree --valence $some
+  done
+  for degree in 6 7 8 9; do
+    proved midpoint-$degree midpoint --set degree=$degree --valence $few
+  done
+  proved kobbelt kobbelt --valence $some
+  proved kobbelt-tension kobbelt --set w=1/24 --valence 3,5
+  proved butterfly butterfly --valence 4..7
+  proved wave wave --valence $some
+  proved wave-valence wave-valence --valence $some
+  proved wave-7 "$schemes/wave-7.scheme" --valence $few
+  proved loop-ring loop-ring --valence $some
+  proved spiral loop-spiral --valence 3..10
+  proved spiral-back loop-spiral --set turn=-1/5 --valence 5
+  proved spiral-fast loop-spiral --set turn=1/2 --valence 4..9
+  proved intervals loop-ring --set 'l=[0.49999,0.50001]' --set 'l2=[0.2,0.3]' --set 'others=[-1/8,1/8]' --set 'z=[0.2,0.3]' --valence 3..12
+}
+
+# MATH says where: butterfly 4 to 7, Loop with 1/16 for each neighbour 5 to 19.
+not_c1() {
+  not_proved butterfly-not butterfly --valence 3,8,9,12,20,1000
+  proved loop-sixteenth "$schemes/loop-sixteenth.scheme" --valence 5..19
+  not_proved loop-sixteenth-not "$schemes/loop-sixteenth.scheme" --valence 3,4,20,21,25,26,27,100
+  not_proved loop-ring-l2 loop-ring --set l=1/4 --set l2=1/2 --valence 4,5,8
+  not_proved loop-ring-z loop-ring --set z=3/4 --valence 3,8
+  not_proved loop-ring-l loop-ring --set l=1 --valence 3,8
+  not_proved loop-ring-l-above loop-ring --set l=9/8 --valence 3,8
+  not_proved loop-ring-l-negative loop-ring --set l=-1/2 --valence 3,8
+  not_proved intervals-not loop-ring --set 'others=[0,1/2]' --valence 7,12
+  # One frequency of many, inside or outside of what a range of them can show.
+  proved ripple "$schemes/ripple.scheme" --valence 192
+  sed 's|m = 53: 1/4|m = 53: 1/2|' "$schemes/ripple.scheme" >hidden.scheme
+  not_proved ripple-hidden hidden.scheme --valence 192,2690 --max-precision 256
+}
+
+# An eigenvalue as large as L but for a gap: only precision tells.
+ties() {
+  loop=$schemes/loop-tie.scheme
+  quad=$schemes/catmull-clark-tie.scheme
+  for digits in 10 50 300; do
+    gap=gap=10^-$digits
+    proved loop-tie-$digits "$loop" --set $gap --valence 3,5
+    proved loop-tie-below-$digits "$loop" --set $gap --set side=-1 --valence 4,7
+    proved catmull-clark-tie-$digits "$quad" --set $gap --valence 3,4,5,1000
+    proved ring-tie-$digits loop-ring --set l2=1/2-10^-$digits --valence 5
+    proved spiral-tie-$digits loop-spiral --set l=3/10 --set turn=4/10 --set others=10^-$digits-1/2 --valence 5
+    proved doo-sabin-tie-$digits doo-sabin-spectrum --set others=1/2-10^-$digits --valence 6
+  done
+  for digits in 10 50 300; do
+    gap=gap=-10^-$digits
+    not_proved loop-beyond-$digits "$loop" --set $gap --valence 3,5
+    not_proved loop-beyond-below-$digits "$loop" --set $gap --set side=-1 --valence 4,7
+    not_proved catmull-clark-beyond-$digits "$quad" --set $gap --valence 3,4,5,1000
+    not_proved ring-beyond-$digits loop-ring --set l2=1/2+10^-$digits --valence 5
+    not_proved spiral-beyond-$digits loop-spiral --set l=3/10 --set turn=4/10 --set others=-10^-$digits-1/2 --valence 5
+    not_proved doo-sabin-beyond-$digits doo-sabin-spectrum --set others=1/2+10^-$digits --valence 6
+  done
+  not_proved loop-tie "$loop" --valence 3,5 --max-precision 512
+  not_proved catmull-clark-tie "$quad" --valence 4,5 --max-precision 512
+  not_proved spiral-tie loop-spiral --set l=3/10 --set turn=4/10 --set others=1/2 --valence 5 --max-precision 512
+}
+
+# Doo-Sabin schemes with the double eigenvalue l fold unless 128 l^2 (1 - l) - 7 l - 2 + 9 l cos(2 pi/n) > 0 (Peters and
+# Reif 1998).  The roots, to six digits:
+folds() {
+  for root in 3:0.877287 5:0.947834 6:0.962862 7:0.972315 8:0.978607 10:0.986161 30:0.998437; do
+    n=${root%%:*} l=${root#*:}
+    proved fold-inside-$n doo-sabin-spectrum --set l=$l-1/10^4 --set others=1/5 --valence $n
+    not_proved fold-beyond-$n doo-sabin-spectrum --set l=$l+1/10^4 --set others=1/5 --valence $n --max-precision 512
+    not_proved fold-far-beyond-$n doo-sabin-spectrum --set l="($l+1)/2" --set others=1/5 --valence $n --max-precision 512
+  done
+  not_proved fold-spiral loop-spiral --set turn=1/2 --valence 3 --max-precision 256
+}
+
+# The same scheme seen in a mirror, or written down in another way.
+mirrors() {
+  for kind in triangle quad dual mask; do
+    proved twisted-$kind "$schemes/twisted-$kind.scheme" --valence 4..8
+    same mirror-$kind "$schemes/twisted-$kind.scheme" "$schemes/mirrored-$kind.scheme" --valence 3..8,12
+  done
+  # Points of Kobbelt's scheme that the mask takes care of, by a rule for the mirror image of its last one.
+  {
+    "$SMOOTHCERT" schemes kobbelt
+    printf '%s\n' 'rule (3,1)' '(1,0) @ -1 w^2' 'centre -h*w' '(1,0) @ 1 -h*w' '(2,0) @ 1 w^2' '(1,1) @ -1 -h*w' '(1,0) h^2' '(1,1) rest' \
+      '(1,2) -h*w' '(1,2) @ -1 -h*w' '(2,0) h^2' '(2,1) h^2' '(2,2) -h*w' '(1,3) @ -1 w^2' '(3,0) -h*w' '(3,1) -h*w' '(3,2) w^2' end
+  } >kobbelt-again.scheme
+  "$SMOOTHCERT" schemes kobbelt >kobbelt.scheme
+  same kobbelt-again kobbelt.scheme kobbelt-again.scheme --valence 3,5,6
+}
+
+catalogue
+not_c1
+ties
+folds
+mirrors

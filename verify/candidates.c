@@ -1,0 +1,122 @@
+/* candidates.c: spectral radii in doubles, of all blocks or, where there are many, of some and then of those near the
+   largest. */
+#include "candidates.h"
+
+#include "../lib/block.h"
+#include "../lib/eigen_approx.h"
+#include "../lib/spectrum.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Blocks looked at in one pass over a range. */
+#define PASS 1500
+/* Smaller ones by more than this part of the largest are none. */
+#define NEARNESS 1e-6
+/* Of the numbers from which the doubles are taken. */
+#define PRECISION 64
+
+#define find NUMBER_NAME(candidates_find_blocks)
+status find(candidates *z, const scheme *s, long k, diagnostic *d);
+
+static double radius_of(const number *matrix, int n)
+{
+    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), radius = 0;
+    for (int i = 0; approximation && i < n * n; i++)
+        approximation[i] = number_mid_approx(&matrix[i]);
+    if (approximation)
+        radius = spectral_radius_approx(approximation, n);
+    free(approximation);
+    return radius;
+}
+
+/* Of block m, without the eigenvalue 1 of the vector of ones. */
+static status measure(double *radius, scheme_numbers *numbers, long m, diagnostic *d)
+{
+    block b;
+    status result = STATUS_NO_MEMORY;
+    block_status made = block_make(&b, numbers, m, numbers->scheme->mirror_symmetric, d);
+    *radius = 0;
+    if (made == BLOCK_OK) {
+        int n = b.n - 1;
+        number *matrix = m ? block_real_matrix(&n, &b) : number_array_new((size_t)n * (size_t)n);
+        if (matrix && m == 0)
+            matrix_deflate(matrix, b.entry, NULL, b.n, 0, PRECISION);
+        if (matrix) {
+            *radius = radius_of(matrix, n);
+            number_array_free(matrix, (size_t)n * (size_t)n);
+            result = STATUS_OK;
+        }
+    } else if (made != BLOCK_NO_MEMORY) {
+        result = STATUS_BAD_INPUT;
+    }
+    block_free(&b);
+    return result;
+}
+
+static void enter(candidates *z, long m, double radius)
+{
+    int at = z->count;
+    for (int i = 0; i < z->count; i++)
+        if (z->frequency[i] == m)
+            return;
+    while (at > 0 && z->radius[at - 1] < radius)
+        at--;
+    if (at == CANDIDATES_MAX)
+        return;
+    if (z->count < CANDIDATES_MAX)
+        z->count++;
+    for (int i = z->count - 1; i > at; i--) {
+        z->radius[i] = z->radius[i - 1];
+        z->frequency[i] = z->frequency[i - 1];
+    }
+    z->radius[at] = radius;
+    z->frequency[at] = m;
+}
+
+/* Every `step`-th block of a range. */
+static status pass(candidates *z, scheme_numbers *numbers, long first, long last, long step, diagnostic *d)
+{
+    status result = STATUS_OK;
+    for (long m = first; result == STATUS_OK && m <= last; m += step) {
+        double radius;
+        result = measure(&radius, numbers, m, d);
+        if (result == STATUS_OK)
+            enter(z, m, radius);
+        if (last - m < step && m != last)
+            m = last - step; /* the last one, too */
+    }
+    return result;
+}
+
+status find(candidates *z, const scheme *s, long k, diagnostic *d)
+{
+    scheme_numbers numbers;
+    long first = 0, last = k / 2, step;
+    status result = scheme_numbers_make(&numbers, s, k, PRECISION, d);
+    z->count = 0;
+    if (result == STATUS_OK)
+        result = measure(&z->radius_of_one, &numbers, 1, d);
+    do {
+        long best;
+        step = (last - first) / PASS + 1;
+        if (result == STATUS_OK)
+            result = pass(z, &numbers, first, last, step, d);
+        best = z->count ? z->frequency[0] : 0;
+        first = best - step > 0 ? best - step : 0;
+        last = best + step < k / 2 ? best + step : k / 2;
+    } while (result == STATUS_OK && step > 1);
+    while (z->count > 1 && !(z->radius[z->count - 1] >= z->radius[0] * (1 - NEARNESS)))
+        z->count--;
+    scheme_numbers_free(&numbers);
+    return result;
+}
+
+/* The rounding mode is set round calls that contain no arithmetic of their own (bigfloat/number.h). */
+status NUMBER_NAME(candidates_find)(candidates *z, const scheme *s, long k, diagnostic *d)
+{
+    number_mode mode = number_enter();
+    status result = find(z, s, k, d);
+    number_leave(mode);
+    return result;
+}

@@ -1,0 +1,22 @@
+/* candidates.h: which blocks seem to hold the largest eigenvalues other than 1: where to look for a refutation.  Nothing
+   here is proved.  Compiled once per number system. */
+#ifndef VERIFY_CANDIDATES_H
+#define VERIFY_CANDIDATES_H
+
+#include "../lib/scheme.h"
+
+enum { CANDIDATES_MAX = 4 };
+
+typedef struct {
+    int count;
+    long frequency[CANDIDATES_MAX]; /* by falling modulus, all about as large as the first */
+    double radius[CANDIDATES_MAX];
+    double radius_of_one;           /* the largest modulus in block 1 */
+} candidates;
+
+/* STATUS_BAD_INPUT: a formula has no value somewhere. */
+status candidates_find_interval(candidates *z, const scheme *s, long k, diagnostic *d);
+status candidates_find_ball(candidates *z, const scheme *s, long k, diagnostic *d);
+status candidates_find_grid(candidates *z, const scheme *s, long k, diagnostic *d);
+
+#endif
