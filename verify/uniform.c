@@ -76,7 +76,7 @@ static outcome run_level(analysis *a, level_test *tests)
 static bool precision_matters(const analysis *a)
 {
     for (int i = 0; i < RING_NETS; i++)
-        if (4 * uniform_net_width(&a->uniform[i], a->prec) > uniform_largest_error(a, i, i))
+        if (!(4 * uniform_net_width(&a->uniform[i], a->prec) < uniform_largest_error(a, i, i)))
             return true;
     return false;
 }
