@@ -107,9 +107,9 @@ answers() {
   holds one-line-each $? "found $(sed 's/;.*//' stdout | tr '\n' ' ')"
   expect proved-with-balls 0 'balls of 128 bits' prove loop --valence 7 --precision 128 --out none
   expect proved-with-intervals 0 'double intervals' prove loop --valence 7 --max-precision 0 --out none
-  expect proved-adaptively 0 'Jacobian > 0.313, level 1, 7 elements' prove loop --valence 7 --out none --method adaptive
-  expect proved-uniformly 0 'uniform level 2, 48 elements (adaptive: level 1, 7 elements)' prove loop --valence 7 --out none --method uniform
-  expect proved-uniformly-json 0 '"method":"uniform","level":1,"elements":7,"uniform_level":2,"uniform_elements":48' \
+  expect proved-adaptively 0 'Jacobian > 0.313, level 0, 5 elements' prove loop --valence 7 --out none --method adaptive
+  expect proved-uniformly 0 'uniform level 2, 48 elements (adaptive: level 0, 5 elements)' prove loop --valence 7 --out none --method uniform
+  expect proved-uniformly-json 0 '"method":"uniform","level":0,"elements":5,"uniform_level":2,"uniform_elements":48' \
     prove loop --valence 7 --out none --method uniform --json
   expect options-before 0 'proved: loop is C1 at valence 3; ' prove --out none --valence=3 loop
   expect undecided-level 2 'undecided: butterfly at valence 5; ' prove butterfly --valence 5 --max-level 1 --max-precision 64 --out none
@@ -174,7 +174,7 @@ archives() {
   cp evidence/valence-5.cert before
   expect archive-uniform 0 'uniform level 3' prove loop --valence 5 --out evidence --method uniform
   same archive-uniform-same-bytes evidence/valence-5.cert before
-  grep -q '"test":"both methods","level":1,"elements":[0-9]*,"uniform_level":3,"uniform_elements":192,' evidence/valence-5.log
+  grep -q '"test":"both methods","level":0,"elements":[0-9]*,"uniform_level":3,"uniform_elements":192,' evidence/valence-5.log
   holds archive-uniform-log $? "$(tail -n 1 evidence/valence-5.log)"
 
   # Every line of a log is an object by itself.
