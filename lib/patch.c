@@ -13,53 +13,61 @@ static size_t spline_count(const bernstein *b, int d)
     return (size_t)(b->degree[d] + 1) * (size_t)(b->degree[d] + 1);
 }
 
-/* z = exact times a multiplicity. */
-static bool set_entry(number *z, const rational *exact, int64_t multiplicity, rational *scratch, long prec)
+/* z, which is 0 = exact times a multiplicity. */
+static bool set_entry(number *z, const rational *exact, const rational *multiplicity, rational *scratch, long prec)
 {
-    if (!rational_set_si(scratch, multiplicity, 1) || !rational_mul(scratch, scratch, exact))
+    if (rational_is_zero(exact))
+        return true;
+    if (!rational_mul(scratch, multiplicity, exact))
         return false;
     number_set_rational(z, scratch, prec);
     return !number_lacks_memory(z);
 }
 
-static bool make_entry(patch_numbers *z, element_type type, rational *scratch, long prec)
+static bool make_entry(patch_numbers *z, element_type type, rational scratch[2], long prec)
 {
     const bernstein *b = z->exact;
     bernstein_shape s = bernstein_get_shape(b, type);
     bool ok = (z->entry[type] = number_array_new(entry_count(b, type))) != NULL;
     for (int j = 0; ok && j <= s.degree[1]; j++)
-        for (int i = 0; i <= bernstein_shape_last(s, j); i++)
-            for (int y = 0; ok && y < b->columns[type]; y++) {
-                int at = bernstein_shape_index(s, i, j) * b->columns[type] + y;
-                ok = set_entry(&z->entry[type][at], &b->entry[type][at], bernstein_shape_multiplicity(s, i, j), scratch, prec);
-            }
+        for (int i = 0; ok && i <= bernstein_shape_last(s, j); i++) {
+            int row = bernstein_shape_index(s, i, j) * b->columns[type];
+            ok = rational_set_si(&scratch[1], bernstein_shape_multiplicity(s, i, j), 1);
+            for (int y = row; ok && y < row + b->columns[type]; y++)
+                ok = set_entry(&z->entry[type][y], &b->entry[type][y], &scratch[1], &scratch[0], prec);
+        }
     return ok;
 }
 
-static bool make_spline(patch_numbers *z, int d, rational *scratch, long prec)
+static bool make_spline(patch_numbers *z, int d, rational scratch[2], long prec)
 {
     int n = z->exact->degree[d];
     bernstein_shape s = {false, {n, 0}};
     bool ok = (z->spline[d] = number_array_new(spline_count(z->exact, d))) != NULL;
-    for (int i = 0; ok && i < (n + 1) * (n + 1); i++)
-        ok = set_entry(&z->spline[d][i], &z->exact->spline[d][i], bernstein_shape_multiplicity(s, i % (n + 1), 0), scratch, prec);
+    for (int i = 0; ok && i <= n; i++) {
+        ok = rational_set_si(&scratch[1], bernstein_shape_multiplicity(s, i, 0), 1);
+        for (int l = 0; ok && l <= n; l++)
+            ok = set_entry(&z->spline[d][l * (n + 1) + i], &z->exact->spline[d][l * (n + 1) + i], &scratch[1], &scratch[0], prec);
+    }
     return ok;
 }
 
-bool patch_numbers_make(patch_numbers *z, const bernstein *exact, long prec)
+bool patch_numbers_make(patch_numbers *z, const bernstein *exact, bool segments, long prec)
 {
     bool ok = true;
-    rational scratch;
+    rational scratch[2];
     memset(z, 0, sizeof *z);
     z->exact = exact;
-    rational_init(&scratch);
+    for (int i = 0; i < 2; i++)
+        rational_init(&scratch[i]);
     for (int t = 0; ok && t < ELEMENT_TYPES; t++)
-        if (exact->entry[t])
-            ok = make_entry(z, (element_type)t, &scratch, prec);
+        if (exact->entry[t] && element_is_segment((element_type)t) == segments)
+            ok = make_entry(z, (element_type)t, scratch, prec);
     for (int d = 0; ok && d < 2; d++)
         if (exact->spline[d])
-            ok = make_spline(z, d, &scratch, prec);
-    rational_clear(&scratch);
+            ok = make_spline(z, d, scratch, prec);
+    for (int i = 0; i < 2; i++)
+        rational_clear(&scratch[i]);
     return ok;
 }
 
@@ -99,7 +107,7 @@ static void square_coefficients(number *c, const patch_numbers *z, element_type 
 void patch_coefficients(number *c, const patch_numbers *z, element_type type, const number *value, number *scratch, long prec)
 {
     const bernstein *b = z->exact;
-    if (!z->entry[type]) {
+    if (b->spline[0]) {
         square_coefficients(c, z, type, value, scratch, prec);
         return;
     }

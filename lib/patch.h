@@ -20,12 +20,13 @@ typedef struct {
     number *spline[2];
 } patch_numbers;
 
-bool patch_numbers_make(patch_numbers *z, const bernstein *exact, long prec); /* false: no memory; on either patch_numbers_free */
+/* For segments, or for all other elements.  false: no memory; on either patch_numbers_free. */
+bool patch_numbers_make(patch_numbers *z, const bernstein *exact, bool segments, long prec);
 void patch_numbers_free(patch_numbers *z);
 
 /* How many numbers patch_coefficients needs as scratch, for any element. */
 static inline int patch_scratch(const bernstein *exact) { return (exact->degree[0] + 1) * (exact->degree[1] + 1); }
-/* c = the coefficients, exact->rows[type] of them, of the polynomial of the values in the window. */
+/* type must be of the kind that z was made for.  c = the coefficients, exact->rows[type] of them, of the polynomial of the values in the window. */
 void patch_coefficients(number *c, const patch_numbers *z, element_type type, const number *value, number *scratch, long prec);
 
 #endif

@@ -165,7 +165,7 @@ static outcome evaluate_scheme(analysis *a)
     const problem *p = a->plan->problem;
     diagnostic d;
     for (int i = 0; i < RING_NETS; i++)
-        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], a->prec)))
+        if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], i == RING_VALUES, a->prec)))
             return OUTCOME_NO_MEMORY;
     switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
     case STATUS_OK:

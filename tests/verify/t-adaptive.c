@@ -112,7 +112,7 @@ static void make_setting(setting *z, int which, bool segment, double spread)
         make_window(z, i, spread);
         MUST(mask_numbers_make(&z->mask[i], g->mask[net], PRECISION));
         if (p->polynomial) {
-            MUST(patch_numbers_make(&z->patch[i], &p->bernstein[net], PRECISION));
+            MUST(patch_numbers_make(&z->patch[i], &p->bernstein[net], segment, PRECISION));
             z->task.patch[i] = &z->patch[i];
         }
         z->task.windows[i] = &z->windows[i];
