@@ -291,7 +291,7 @@ static void print_refutation(const regular_refutation *z)
         return;
     }
     printf("no; besides those of constant and linear functions there is an\n"
-           "eigenvalue of modulus >= %.10g (frequency %d), and its eigenfunction is not 0\n",
+           "eigenvalue of modulus >= %.17g (frequency %d), and its eigenfunction is not 0\n",
            (double)z->modulus / REFUTATION_UNIT, z->frequency);
 }
 
@@ -491,7 +491,7 @@ static bool print_json(const regular_run *r)
         printf("  },\n");
     }
     if (r->refutation.refuted)
-        printf("  \"refutation\": {\"modulus_at_least\": %.10g, \"frequency\": %d, \"seen_at\": [%d, %d]},\n",
+        printf("  \"refutation\": {\"modulus_at_least\": %.17g, \"frequency\": %d, \"seen_at\": [%d, %d]},\n",
                (double)r->refutation.modulus / REFUTATION_UNIT, r->refutation.frequency, r->refutation.point.a, r->refutation.point.b);
     printf("  \"c1_on_regular_complex\": \"%s\"\n}\n", r->proved ? "proved" : r->refutation.refuted ? "refuted" : "undecided");
     return true;

@@ -173,7 +173,7 @@ static double rounding_of(double x)
 static const char *meaning_of(double ratio_lower, double ratio_upper)
 {
     if (ratio_lower > 1)
-        return "curvature diverges";
+        return "curvature diverges, unless mu's eigenfunction is 0";
     if (ratio_upper < 1)
         return "curvature tends to zero";
     if (ratio_lower < 1 - 1e-2 || ratio_upper > 1 + 1e-2)
@@ -318,13 +318,20 @@ static void replace(found *x, found *y)
     *y = t;
 }
 
+static bool may_use_doubles(void)
+{
+    if (!interval_self_test())
+        return complain(0, "this machine or compiler does not round doubles as told: only balls are used") != 0;
+    return true;
+}
+
 /* With the precision wanted, or with more and more until something dominates.  If nothing does, the first list says
    as much as the last one where it has all blocks; else the last one leaves the fewest open. */
 static status find_best(found *f, const options *o, const scheme *s, diagnostic *d)
 {
     static const long balls[] = {64, 128, 256, 512};
     bool all = o->all_blocks || o->valence <= ALL_BLOCKS || (o->valence <= MAX_ALL_BLOCKS && has_sector_weights(s));
-    bool hardware = !o->precision && interval_self_test();
+    bool hardware = !o->precision && may_use_doubles();
     status result = find(f, o, s, all, o->precision ? o->precision : hardware ? 0 : balls[0], d);
     for (size_t i = hardware ? 0 : 1; !o->precision && (!all || o->valence <= ALL_BLOCKS) && result == STATUS_OK && f->summary.dominant < 0 && !f->list.exhausted && i < sizeof balls / sizeof *balls; i++) {
         found other;
