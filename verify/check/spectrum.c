@@ -182,14 +182,22 @@ static interval squared_modulus(const struct krawczyk *s)
     return s->real ? out : interval_add(out, grid_mul(s->l_box[1], s->l_box[1], s->g));
 }
 
-static interval prove_complex_size(const struct krawczyk *s, const struct certificate *c)
+/* 0 < ell < |L|, q = |L|^2 */
+static void check_modulus(const struct krawczyk *s, const struct certificate *c, interval q)
 {
-    interval ell = interval_thin(c->modulus), q = squared_modulus(s);
+    interval ell = interval_thin(c->modulus);
 
     if (!interval_is_positive(ell) ||
         !interval_is_positive(interval_sub(q, grid_mul(ell, ell, s->g))))
         rejected(c->file, c->line_of.modulus,
                  "modulus: it is not positive, or not proved to be smaller than |L|");
+}
+
+static interval prove_complex_size(const struct krawczyk *s, const struct certificate *c)
+{
+    interval q = squared_modulus(s);
+
+    check_modulus(s, c, q);
     if (integer_compare(q.hi, grid_from(1, s->g).lo) >= 0)
         rejected(c->file, c->line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
                  "smaller than 1");
@@ -202,6 +210,8 @@ static void prove_divergence(const struct krawczyk *s, const struct certificate 
     integer one = grid_from(1, s->g).lo;
     interval l = s->l_box[0].hi.sign < 0 ? interval_minus(s->l_box[0]) : s->l_box[0];
 
+    if (!s->real)
+        check_modulus(s, c, squared_modulus(s));
     if (integer_compare(s->real ? l.lo : squared_modulus(s).lo, one) <= 0)
         rejected(c->file, c->line_of.eigenvalue,
                  "eigenvalue: |L| is not proved to be larger than 1");
