@@ -415,7 +415,7 @@ growth growth-eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
 fold() { denial "$1" "$2" "$3" doo-sabin-fold-3 doo-sabin-spectrum 3 "$4" --set l=9/10; }
 fold fold-nothing 0 '^verified' ''
 fold fold-reason 1 'frequency' 's/^reason fold/reason frequency/'
-fold fold-one-witness 1 'expected .witness' '/^witness 2 /d'
+fold fold-one-witness 1 'expected .witness' '/^witness 8 /d'
 fold fold-same-witness 1 'witness' '/^witness/{
 h
 N
