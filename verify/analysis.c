@@ -128,36 +128,7 @@ outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness,
     return run_adaptive(a, task, NULL, witness, elements, count);
 }
 
-/* ---- the regular part ---- */
-
-/* It is exact: problem.c has tested it for all valences. */
-static outcome test_regular_complex(analysis *a)
-{
-    const problem *p = a->plan->problem;
-    choices *c = a->choices;
-    diagnostic d;
-    bool plainly = false;
-    status s;
-    if (p->obstacle)
-        return findings_explain(a->findings, OUTCOME_UNDEFINED, "%s", p->obstacle);
-    s = problem_is_plainly_regular(&plainly, p, c->valence, &d);
-    if (s != STATUS_OK)
-        return s == STATUS_NO_MEMORY ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
-    if (!plainly && p->special_obstacle)
-        return findings_explain(a->findings, OUTCOME_UNDEFINED, "%s", p->special_obstacle);
-    if (!a->replay) {
-        memcpy(c->contraction, p->contraction, sizeof c->contraction);
-        memcpy(c->stability, p->stability, sizeof c->stability);
-        c->plainly_regular = plainly;
-        return OUTCOME_TRUE;
-    }
-    if (memcmp(c->contraction, p->contraction, sizeof c->contraction) || c->plainly_regular != plainly)
-        return findings_explain(a->findings, OUTCOME_FALSE, "the powers of the regular part are not the least ones");
-    for (int i = 0; !plainly && i < RING_NETS; i++)
-        if (c->stability[i].power != p->stability[i].power || c->stability[i].bound != p->stability[i].bound)
-            return findings_explain(a->findings, OUTCOME_FALSE, "the bounds of the limits are not those that were found");
-    return OUTCOME_TRUE;
-}
+/* ---- one after the other ---- */
 
 /* What the scheme's formulas and masks are worth at this valence. */
 static outcome evaluate_scheme(analysis *a)
@@ -176,8 +147,6 @@ static outcome evaluate_scheme(analysis *a)
         return OUTCOME_NO_MEMORY;
     }
 }
-
-/* ---- one after the other ---- */
 
 typedef struct {
     test_name name;

@@ -26,6 +26,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/adaptive.h verify/adaptive.c \
   verify/uniform_net.h verify/uniform_net.c \
   verify/tests.h verify/uniform.h \
+  verify/regular_complex_test.c \
   verify/eigenpair_test.c \
   verify/spectrum_test.c \
   verify/regularity_test.c \

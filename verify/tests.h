@@ -9,6 +9,7 @@
 #include "analysis.h"
 #include "uniform_net.h"
 
+#define test_regular_complex NUMBER_NAME(test_regular_complex)
 #define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
 #define test_regularity NUMBER_NAME(test_regularity)
@@ -42,6 +43,8 @@ typedef struct {
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
+/* The scheme is C1 on the regular complex; is that all there is to prove at this valence? */
+outcome test_regular_complex(analysis *a);
 /* L is a simple eigenvalue of the claim's block, 0 < |L| < 1 (of CLAIM_NOT_C0: 1 < |L|). */
 outcome test_eigenpair(analysis *a);
 /* 1 is simple, and every eigenvalue of every block other than 1 and L is smaller than L in modulus (but for its
