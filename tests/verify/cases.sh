@@ -38,6 +38,19 @@ not_proved() { # NAME ARGUMENT...
   fi
 }
 
+# Every valence of the list must be refuted, for this reason, and the program must say so by its status.
+refuted() { # NAME REASON ARGUMENT...
+  name=$1 reason=$2
+  shift 2
+  "$SMOOTHCERT" prove --out none "$@" >stdout 2>stderr
+  status=$?
+  if [ $status -eq 1 ] && [ -s stdout ] && ! grep -v -q "^refuted: .* is not C1 at valence [0-9]*; $reason" stdout; then
+    echo "PASS cases-$name"
+  else
+    echo "FAIL cases-$name: status $status: $(cat stderr stdout | grep -v '^refuted: ' | head -n 1)"
+  fi
+}
+
 # Both must be proved at the same valences, with the same eigenvalue, or its conjugate.
 same() { # NAME SCHEME SCHEME ARGUMENT...
   name=$1 first=$2 second=$3
@@ -78,13 +91,20 @@ catalogue() {
 
 # MATH says where: butterfly 4 to 7, Loop with 1/16 for each neighbour 5 to 19.
 not_c1() {
-  not_proved butterfly-not butterfly --valence 3,8,9,12,20,1000
+  not_proved butterfly-tie butterfly --valence 3 --max-precision 512
+  refuted butterfly-8 'frequency 2 dominates (0.46904152, frequency 1 has 0.46241777)' butterfly --valence 8
+  refuted butterfly-9 'frequency 2 dominates (0.49729407, frequency 1 has 0.44442936)' butterfly --valence 9
+  refuted butterfly-not 'frequency [0-9]* dominates' butterfly --valence 8..14,20,1000
   proved loop-sixteenth "$schemes/loop-sixteenth.scheme" --valence 5..19
-  not_proved loop-sixteenth-not "$schemes/loop-sixteenth.scheme" --valence 3,4,20,21,25,26,27,100
-  not_proved loop-ring-l2 loop-ring --set l=1/4 --set l2=1/2 --valence 4,5,8
-  not_proved loop-ring-z loop-ring --set z=3/4 --valence 3,8
-  not_proved loop-ring-l loop-ring --set l=1 --valence 3,8
-  not_proved loop-ring-l-above loop-ring --set l=9/8 --valence 3,8
+  not_proved loop-sixteenth-ties "$schemes/loop-sixteenth.scheme" --valence 4,26 --max-precision 512
+  refuted loop-sixteenth-not 'frequency 0 dominates' "$schemes/loop-sixteenth.scheme" --valence 3,20..25
+  refuted loop-sixteenth-grows 'block 0 has an eigenvalue beyond 1' "$schemes/loop-sixteenth.scheme" --valence 27,100
+  refuted loop-ring-l2 'frequency 2 dominates' loop-ring --set l=1/4 --set l2=1/2 --valence 5,8
+  not_proved loop-ring-l2-half loop-ring --set l=1/4 --set l2=1/2 --valence 4 --max-precision 512
+  refuted loop-ring-z 'frequency 0 dominates' loop-ring --set z=3/4 --valence 3,8
+  not_proved loop-ring-l loop-ring --set l=1 --valence 3,8 --max-precision 512
+  refuted loop-ring-l-above 'block 1 has an eigenvalue beyond 1' loop-ring --set l=9/8 --valence 3,8
+  refuted loop-ring-fold 'the characteristic map folds' loop-ring --set l=99/100 --valence 7,20
   not_proved loop-ring-l-negative loop-ring --set l=-1/2 --valence 3,8
   not_proved intervals-not loop-ring --set 'others=[0,1/2]' --valence 7,12
   # One frequency of many, inside or outside of what a range of them can show.
@@ -108,10 +128,10 @@ ties() {
   done
   for digits in 10 50 300; do
     gap=gap=-10^-$digits
-    not_proved loop-beyond-$digits "$loop" --set $gap --valence 3,5
-    not_proved loop-beyond-below-$digits "$loop" --set $gap --set side=-1 --valence 4,7
-    not_proved catmull-clark-beyond-$digits "$quad" --set $gap --valence 3,4,5,1000
-    not_proved ring-beyond-$digits loop-ring --set l2=1/2+10^-$digits --valence 5
+    refuted loop-beyond-$digits 'frequency 0 dominates' "$loop" --set $gap --valence 3,5
+    refuted loop-beyond-below-$digits 'frequency 0 dominates' "$loop" --set $gap --set side=-1 --valence 4,7
+    refuted catmull-clark-beyond-$digits 'frequency 0 dominates' "$quad" --set $gap --valence 3,4,5,1000
+    refuted ring-beyond-$digits 'frequency 2 dominates' loop-ring --set l2=1/2+10^-$digits --valence 5
     not_proved spiral-beyond-$digits loop-spiral --set l=3/10 --set turn=4/10 --set others=-10^-$digits-1/2 --valence 5
     not_proved doo-sabin-beyond-$digits doo-sabin-spectrum --set others=1/2+10^-$digits --valence 6
   done
@@ -126,8 +146,8 @@ folds() {
   for root in 3:0.877287 5:0.947834 6:0.962862 7:0.972315 8:0.978607 10:0.986161 30:0.998437; do
     n=${root%%:*} l=${root#*:}
     proved fold-inside-$n doo-sabin-spectrum --set l=$l-1/10^4 --set others=1/5 --valence $n
-    not_proved fold-beyond-$n doo-sabin-spectrum --set l=$l+1/10^4 --set others=1/5 --valence $n --max-precision 512
-    not_proved fold-far-beyond-$n doo-sabin-spectrum --set l="($l+1)/2" --set others=1/5 --valence $n --max-precision 512
+    refuted fold-beyond-$n 'the characteristic map folds' doo-sabin-spectrum --set l=$l+1/10^4 --set others=1/5 --valence $n --max-precision 512
+    refuted fold-far-beyond-$n 'the characteristic map folds' doo-sabin-spectrum --set l="($l+1)/2" --set others=1/5 --valence $n --max-precision 512
   done
   not_proved fold-spiral loop-spiral --set turn=1/2 --valence 3 --max-precision 256
 }
