@@ -98,27 +98,27 @@ static int status_of(const struct trial *t)
 
 int main(void)
 {
-    enum { HALF = 1 << 19, ONE = 1 << 20, YES = ANSWER_VERIFIED, NO = ANSWER_REJECTED };
+    enum { HALF = 1 << 19, ONE = 1 << 20, GOOD = ANSWER_VERIFIED, BAD = ANSWER_REJECTED };
     static const struct trial trial[] = {
-        { "spectrum-plain", HALF, HALF / 2, 0, 1 << 20, 0, YES },
-        { "spectrum-negative-mu", HALF, -HALF / 2, 0, 1 << 20, 0, YES },
-        { "spectrum-close", HALF, HALF - 16, 20, 1 << 20, 0, YES },
-        { "spectrum-close-by-one-row-sum", HALF, HALF - 16, 0, 1 << 20, 0, YES },
-        { "spectrum-shifted", HALF, HALF / 2, 0, 1 << 20, 1 << 19, YES },
-        { "spectrum-outside", HALF, HALF / 2, 0, 1 << 20, 1 << 20, NO },
-        { "spectrum-radius-zero", HALF, HALF / 2, 0, 0, 0, NO },
-        { "spectrum-radius-negative", HALF, HALF / 2, 0, -(1 << 20), 0, NO },
-        { "spectrum-negative", -HALF, HALF / 2, 0, 1 << 20, 0, NO },
-        { "spectrum-one", ONE, HALF, 0, 1 << 20, 0, NO },
-        { "spectrum-larger-than-one", ONE + HALF, HALF, 0, 1 << 20, 0, NO },
-        { "spectrum-touches-one", ONE - 1, HALF, 0, INT64_C(1) << 44, 0, NO },
-        { "spectrum-below-one", ONE - 1, HALF, 0, 1 << 20, 0, YES },
-        { "spectrum-double", HALF, HALF, 0, 1 << 20, 0, NO },
-        { "spectrum-not-dominant", HALF, HALF + 16, 0, 1 << 20, 0, NO },
-        { "spectrum-not-dominant-large-power", HALF, HALF + 16, 40, 1 << 20, 0, NO },
-        { "spectrum-tie", HALF, -HALF, 0, 1 << 20, 0, NO },
-        { "spectrum-tie-large-power", HALF, -HALF, 30, 1 << 20, 0, NO },
-        { "spectrum-tie-largest-power", HALF, -HALF, 40, 1 << 20, 0, NO },
+        { "spectrum-plain", HALF, HALF / 2, 0, 1 << 20, 0, GOOD },
+        { "spectrum-negative-mu", HALF, -HALF / 2, 0, 1 << 20, 0, GOOD },
+        { "spectrum-close", HALF, HALF - 16, 20, 1 << 20, 0, GOOD },
+        { "spectrum-close-by-one-row-sum", HALF, HALF - 16, 0, 1 << 20, 0, GOOD },
+        { "spectrum-shifted", HALF, HALF / 2, 0, 1 << 20, 1 << 19, GOOD },
+        { "spectrum-outside", HALF, HALF / 2, 0, 1 << 20, 1 << 20, BAD },
+        { "spectrum-radius-zero", HALF, HALF / 2, 0, 0, 0, BAD },
+        { "spectrum-radius-negative", HALF, HALF / 2, 0, -(1 << 20), 0, BAD },
+        { "spectrum-negative", -HALF, HALF / 2, 0, 1 << 20, 0, BAD },
+        { "spectrum-one", ONE, HALF, 0, 1 << 20, 0, BAD },
+        { "spectrum-larger-than-one", ONE + HALF, HALF, 0, 1 << 20, 0, BAD },
+        { "spectrum-touches-one", ONE - 1, HALF, 0, INT64_C(1) << 44, 0, BAD },
+        { "spectrum-below-one", ONE - 1, HALF, 0, 1 << 20, 0, GOOD },
+        { "spectrum-double", HALF, HALF, 0, 1 << 20, 0, BAD },
+        { "spectrum-not-dominant", HALF, HALF + 16, 0, 1 << 20, 0, BAD },
+        { "spectrum-not-dominant-large-power", HALF, HALF + 16, 40, 1 << 20, 0, BAD },
+        { "spectrum-tie", HALF, -HALF, 0, 1 << 20, 0, BAD },
+        { "spectrum-tie-large-power", HALF, -HALF, 30, 1 << 20, 0, BAD },
+        { "spectrum-tie-largest-power", HALF, -HALF, 40, 1 << 20, 0, BAD },
     };
     int failures = 0;
 
