@@ -35,9 +35,9 @@ static const char help[] =
     "  --max-level N         the deepest subdivision to try (default: grows with the precision)\n"
     "  --time-limit SECONDS  leave undecided what is not decided by then\n"
     "  --jobs N              work on N valences at a time (default 1)\n"
-    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME, with\n"
-    "                        the settings); what is\n"
-    "                        proved there already is only checked again\n"
+    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME, with the\n"
+    "                        settings behind it); what is proved there already is only checked\n"
+    "                        again\n"
     "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
