@@ -12,6 +12,7 @@
 
 #include "../bigfloat/interval.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <getopt.h>
 #include <signal.h>
@@ -34,8 +35,9 @@ static const char help[] =
     "  --max-level N         the deepest subdivision to try (default: grows with the precision)\n"
     "  --time-limit SECONDS  leave undecided what is not decided by then\n"
     "  --jobs N              work on N valences at a time (default 1)\n"
-    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME); what is\n"
-    "                        proved there already is only checked again\n"
+    "  --out DIR|none        where certificates and logs go (default smoothcert-NAME, with the\n"
+    "                        settings behind it); what is proved there already is only checked\n"
+    "                        again\n"
     "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
@@ -142,13 +144,29 @@ static int read_options(options *o, int argc, char **argv)
 
 /* ---- evidence ---- */
 
+/* smoothcert-NAME, and the settings: another scheme needs another directory.  Characters that might not do in the name
+   of a file become `_`; if two schemes come to have one name so, archive_open tells them apart. */
+static void name_archive(char *name, size_t size, const prove_run *r)
+{
+    size_t length = (size_t)snprintf(name, size, "smoothcert-%s", r->scheme.name);
+    for (int i = 0; i < r->options.scheme.count; i++) {
+        const char *c = r->options.scheme.settings[i];
+        if (length + 1 < size)
+            name[length++] = ',';
+        for (; *c && length + 1 < size; c++)
+            if (*c != ' ')
+                name[length++] = strchr("+-.=_", *c) || isalnum((unsigned char)*c) ? *c : '_';
+        name[length] = '\0';
+    }
+}
+
 static int open_archive(prove_run *r)
 {
-    char name[SCHEME_NAME_MAX + 32];
+    char name[SCHEME_NAME_MAX + 128];
     const char *path = r->options.out;
     if (path && !strcmp(path, "none"))
         return -1;
-    snprintf(name, sizeof name, "smoothcert-%s", r->scheme.name);
+    name_archive(name, sizeof name, r);
     if (!path)
         path = name;
     switch (archive_open(&r->archive, path, &r->scheme)) {

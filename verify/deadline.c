@@ -3,10 +3,11 @@
 #include "deadline.h"
 
 #include <stddef.h>
-#include <signal.h>
+#include <stdatomic.h>
 #include <time.h>
 
-static volatile sig_atomic_t interrupted;
+/* Set by a signal handler and read by all threads: an atomic int is both (volatile sig_atomic_t is for one thread). */
+static atomic_int interrupted;
 
 double deadline_now(void)
 {

@@ -148,6 +148,7 @@ archives() {
   contents archive-grows evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
 
   expect default-archive 0 '; smoothcert-loop/valence-4.cert' prove loop --valence 4
+  expect default-archive-of-settings 0 '; smoothcert-modified-loop,a=7_8/valence-4.cert' prove modified-loop --set a=7/8 --valence 4
   expect by-file 0 '; by-file/valence-4.cert' prove "$loop" --valence 4 --out by-file
   same by-file-same-certificate by-file/valence-4.cert smoothcert-loop/valence-4.cert
   same by-file-same-scheme by-file/scheme.scheme smoothcert-loop/scheme.scheme
@@ -180,7 +181,7 @@ archives() {
   # Every line of a log is an object by itself.
   [ "$(grep -c '^{"valence":3,.*}$' evidence/valence-3.log)" = "$(wc -l <evidence/valence-3.log | tr -d ' ')" ]
   holds log-lines $? "$(head -n 1 evidence/valence-3.log)"
-  rm -rf evidence by-file smoothcert-loop undecided canonical before respaced.scheme other.scheme
+  rm -rf evidence by-file smoothcert-loop smoothcert-modified-loop,a=7_8 undecided canonical before respaced.scheme other.scheme
 }
 
 # Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here.
