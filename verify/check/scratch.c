@@ -19,7 +19,7 @@ static struct {
     size_t size;
 } chunk[MAX_CHUNKS];
 
-static struct mark top;
+static struct mark stack_top;
 
 static void make_chunk(int i, size_t bytes)
 {
@@ -41,13 +41,13 @@ void *scratch_new(size_t bytes)
     bytes = (bytes + ALIGNMENT) / ALIGNMENT * ALIGNMENT;
     if (chunk[0].bytes == NULL)
         make_chunk(0, CHUNK_BYTES);
-    if (bytes > chunk[top.chunk].size - top.used) {
-        make_chunk(top.chunk + 1, bytes);
-        top.chunk++;
-        top.used = 0;
+    if (bytes > chunk[stack_top.chunk].size - stack_top.used) {
+        make_chunk(stack_top.chunk + 1, bytes);
+        stack_top.chunk++;
+        stack_top.used = 0;
     }
-    top.used += bytes;
-    return chunk[top.chunk].bytes + (top.used - bytes);
+    stack_top.used += bytes;
+    return chunk[stack_top.chunk].bytes + (stack_top.used - bytes);
 }
 
 void *allocate(size_t count, size_t size)
@@ -59,17 +59,17 @@ void *allocate(size_t count, size_t size)
 
 struct mark scratch_mark(void)
 {
-    return top;
+    return stack_top;
 }
 
 void scratch_release(struct mark mark)
 {
-    for (int i = mark.chunk; i <= top.chunk; i++) {
+    for (int i = mark.chunk; i <= stack_top.chunk; i++) {
         size_t from = i == mark.chunk ? mark.used : 0;
-        size_t to = i == top.chunk ? top.used : chunk[i].size;
+        size_t to = i == stack_top.chunk ? stack_top.used : chunk[i].size;
 
         if (to > from)
             memset(chunk[i].bytes + from, 0xff, to - from);
     }
-    top = mark;
+    stack_top = mark;
 }
