@@ -268,7 +268,7 @@ static double check_errors(const setting *s, const sector_net *net, int which)
 /* And not by miles: errors that were much smaller would be seen to be wrong. */
 static void test_errors(void)
 {
-    static const double near[MASKS] = {[LOOP] = 0.1, [BUTTERFLY] = 0.02, [BLUNT] = 0.1, [TENSE] = 0.01};
+    static const double near[MASKS] = {[LOOP] = 0.05, [BUTTERFLY] = 0.01, [BLUNT] = 0.05, [TENSE] = 0.005};
     double worst[MASKS][RING_NETS] = {{0}};
     test_begin("uniform-net-errors");
     for (test_cases(CASES); test_next();)
