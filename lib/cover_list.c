@@ -1,6 +1,8 @@
 /* cover_list.c: life of covers. */
 #include "cover_list.h"
 
+#include "growing.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,14 +19,10 @@ void cover_list_clear(cover_list *z)
 
 bool cover_list_add(cover_list *z, frequencies m, int power)
 {
-    if (z->count == z->capacity) {
-        size_t capacity = z->capacity ? 2 * z->capacity : 16;
-        cover_box *p = realloc(z->box, capacity * sizeof *p);
-        if (!p)
-            return false;
-        z->box = p;
-        z->capacity = capacity;
-    }
+    cover_box *p = growing_room(z->box, z->count, &z->capacity, sizeof *p);
+    if (!p)
+        return false;
+    z->box = p;
     z->box[z->count++] = (cover_box){m, power};
     return true;
 }

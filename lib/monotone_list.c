@@ -1,6 +1,8 @@
 /* monotone_list.c: life of chains. */
 #include "monotone_list.h"
 
+#include "growing.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,14 +21,10 @@ void monotone_list_clear(monotone_list *z)
 
 monotone_box *monotone_list_add(monotone_list *z)
 {
-    if (z->count == z->capacity) {
-        size_t capacity = z->capacity ? 2 * z->capacity : 16;
-        monotone_box *p = realloc(z->box, capacity * sizeof *p);
-        if (!p)
-            return NULL;
-        z->box = p;
-        z->capacity = capacity;
-    }
+    monotone_box *p = growing_room(z->box, z->count, &z->capacity, sizeof *p);
+    if (!p)
+        return NULL;
+    z->box = p;
     memset(&z->box[z->count], 0, sizeof *z->box);
     eigenpair_choice_init(&z->box[z->count].eigenpair);
     return &z->box[z->count++];

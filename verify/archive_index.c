@@ -4,6 +4,8 @@
 
 #include "sha256.h"
 
+#include "../lib/growing.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <stdio.h>
@@ -35,14 +37,10 @@ static long valence_of(const char *name, const char *suffix)
 
 static bool add(listing *z, entry e)
 {
-    if (z->count == z->capacity) {
-        size_t capacity = z->capacity ? 2 * z->capacity : 64;
-        entry *p = realloc(z->entries, capacity * sizeof *p);
-        if (!p)
-            return false;
-        z->entries = p;
-        z->capacity = capacity;
-    }
+    entry *p = growing_room(z->entries, z->count, &z->capacity, sizeof *p);
+    if (!p)
+        return false;
+    z->entries = p;
     z->entries[z->count++] = e;
     return true;
 }

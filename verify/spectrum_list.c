@@ -1,6 +1,8 @@
 /* spectrum_list.c: life of spectrum lists. */
 #include "spectrum_list.h"
 
+#include "../lib/growing.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,33 +26,25 @@ void spectrum_list_clear(spectrum_list *z)
 
 spectrum_entry *spectrum_list_add(spectrum_list *z)
 {
-    if (z->count == z->capacity) {
-        size_t capacity = z->capacity ? 2 * z->capacity : 64;
-        spectrum_entry *p = realloc(z->entry, capacity * sizeof *p);
-        if (!p)
-            return NULL;
-        z->entry = p;
-        z->capacity = capacity;
-    }
+    spectrum_entry *p = growing_room(z->entry, z->count, &z->capacity, sizeof *p);
+    if (!p)
+        return NULL;
+    z->entry = p;
     memset(&z->entry[z->count], 0, sizeof *z->entry);
     return &z->entry[z->count++];
 }
 
 bool spectrum_list_add_range(spectrum_list *z, frequencies m, double upper)
 {
-    spectrum_range *before = z->ranges ? &z->range[z->ranges - 1] : NULL;
+    spectrum_range *before = z->ranges ? &z->range[z->ranges - 1] : NULL, *p;
     if (before && before->m.last + 1 == m.first && (before->upper == upper || (isinf(before->upper) && isinf(upper)))) {
         before->m.last = m.last;
         return true;
     }
-    if (z->ranges == z->range_capacity) {
-        size_t capacity = z->range_capacity ? 2 * z->range_capacity : 16;
-        spectrum_range *p = realloc(z->range, capacity * sizeof *p);
-        if (!p)
-            return false;
-        z->range = p;
-        z->range_capacity = capacity;
-    }
+    p = growing_room(z->range, z->ranges, &z->range_capacity, sizeof *p);
+    if (!p)
+        return false;
+    z->range = p;
     z->range[z->ranges++] = (spectrum_range){m, upper};
     return true;
 }
