@@ -268,13 +268,10 @@ static void correction_approx(double complex *c, double complex *scratch, const 
     multiply_approx(c, s->w, scratch, s->n);
 }
 
-/* With c = about v^-1 r 2^good, which is destroyed: d + the part of c within the groups, and v + v z with d z - z d = -c
-   otherwise, leave only what is quadratic in c, or lost in doubles. */
-static void improve(workspace *s, double complex *c, double complex *scratch, long good)
+/* d += the part of c 2^-good within the groups, which becomes 0 in c. */
+static void improve_diagonal(workspace *s, double complex *c, double complex *scratch, long good)
 {
     int n = s->n;
-    complex_matrix b = {n, (number *)s->re, s->im ? (number *)s->im : s->zero};
-    solve_approx(c, s->diagonal, s->group, n);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
             bool same = s->group[i] == s->group[j];
@@ -285,6 +282,16 @@ static void improve(workspace *s, double complex *c, double complex *scratch, lo
     load(&s->t, scratch, -good, s->prec);
     add_matrix(&s->d, &s->t, s->prec);
     complex_matrix_thin(&s->d, s->prec);
+}
+
+/* With c = about v^-1 r 2^good, which is destroyed: d + the part of c within the groups, and v + v z with d z - z d = -c
+   otherwise, leave only what is quadratic in c, or lost in doubles. */
+static void improve(workspace *s, double complex *c, double complex *scratch, long good)
+{
+    int n = s->n;
+    complex_matrix b = {n, (number *)s->re, s->im ? (number *)s->im : s->zero};
+    solve_approx(c, s->diagonal, s->group, n);
+    improve_diagonal(s, c, scratch, good);
     multiply_approx(scratch, s->start, c, n);
     for (int i = 0; i < n * n; i++)
         if (s->real[i % n])
@@ -314,8 +321,10 @@ static void improve_all(workspace *s)
         if (!(size > 0) || !isfinite(size) || !(norm > 0))
             return;
         next = good - ilogb(size / norm);
-        if (next < good + LEAST_GAIN || next > s->prec - ENOUGH)
+        if (next < good + LEAST_GAIN || next > s->prec - ENOUGH) {
+            improve_diagonal(s, c, scratch, good); /* which costs nothing, and puts discs where they belong */
             return;
+        }
         improve(s, c, scratch, good);
         good = next;
     }
