@@ -214,6 +214,12 @@ void sector_net_free(sector_net *z)
     z->x = z->y = NULL;
 }
 
+/* Of unit nets most values are, and 0 need not be multiplied. */
+static bool is_zero_pair(const number *x, const number *y)
+{
+    return number_is_zero(x) == TRUTH_TRUE && number_is_zero(y) == TRUTH_TRUE;
+}
+
 sector_status sector_value(number *x, number *y, const sector_net *z, int a, int b, long prec)
 {
     int turns;
@@ -228,7 +234,7 @@ sector_status sector_value(number *x, number *y, const sector_net *z, int a, int
         return SECTOR_OUTSIDE;
     number_set(x, &z->x[sector_index(z, a, b)]);
     number_set(y, &z->y[sector_index(z, a, b)]);
-    if (z->twist && turns)
+    if (z->twist && turns && !is_zero_pair(x, y))
         twist_apply(x, y, z->twist, turns, prec);
     return SECTOR_OK;
 }
@@ -248,6 +254,8 @@ sector_status sector_masked_value(number *x, number *y, const sector_net *z, con
             if ((a - i) % dilation || (b - j) % dilation || laurent_is_zero_at(terms, i, j))
                 continue;
             s = sector_value(&p, &q, z, (int)(a - i) / dilation, (int)(b - j) / dilation, prec);
+            if (s != SECTOR_OK || is_zero_pair(&p, &q))
+                continue;
             number_addmul(x, mask_numbers_at(mask, i, j), &p, prec);
             if (z->twist)
                 number_addmul(y, mask_numbers_at(mask, i, j), &q, prec);
