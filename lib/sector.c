@@ -239,6 +239,13 @@ sector_status sector_value(number *x, number *y, const sector_net *z, int a, int
     return SECTOR_OK;
 }
 
+/* The least number >= low that differs from a by a multiple of dilation. */
+static long first_congruent(long low, long a, long dilation)
+{
+    long rest = (a - low) % dilation;
+    return low + (rest < 0 ? rest + dilation : rest);
+}
+
 /* The points p that contribute are those with (a,b) - dilation p in the mask's box. */
 sector_status sector_masked_value(number *x, number *y, const sector_net *z, const mask_numbers *mask, int dilation, int a, int b, long prec)
 {
@@ -249,9 +256,9 @@ sector_status sector_masked_value(number *x, number *y, const sector_net *z, con
     number_init(&q);
     number_zero(x);
     number_zero(y);
-    for (long i = terms->a0; s == SECTOR_OK && i < terms->a0 + terms->na; i++)
-        for (long j = terms->b0; s == SECTOR_OK && j < terms->b0 + terms->nb; j++) {
-            if ((a - i) % dilation || (b - j) % dilation || laurent_is_zero_at(terms, i, j))
+    for (long i = first_congruent(terms->a0, a, dilation); s == SECTOR_OK && i < terms->a0 + terms->na; i += dilation)
+        for (long j = first_congruent(terms->b0, b, dilation); s == SECTOR_OK && j < terms->b0 + terms->nb; j += dilation) {
+            if (laurent_is_zero_at(terms, i, j))
                 continue;
             s = sector_value(&p, &q, z, (int)(a - i) / dilation, (int)(b - j) / dilation, prec);
             if (s != SECTOR_OK || is_zero_pair(&p, &q))
