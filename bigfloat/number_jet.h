@@ -69,6 +69,11 @@ static inline bool jet_lacks_memory(const jet *x)
 {
     return number_lacks_memory(&x->value) || number_lacks_memory(&x->slope);
 }
+/* 0 everywhere, with its slope? */
+static inline truth jet_is_zero(const jet *x)
+{
+    return number_is_zero(&x->value) == TRUTH_TRUE ? number_is_zero(&x->slope) : TRUTH_UNKNOWN;
+}
 
 #define BASE_NAME(f) NUMBER_PASTE(f, NUMBER_BASE_TYPE)
 
@@ -90,6 +95,7 @@ static inline bool jet_lacks_memory(const jet *x)
 #undef number_mul
 #undef number_addmul
 #undef number_hull
+#undef number_is_zero
 #undef number_lacks_memory
 #undef number_cos_pi
 #undef number_sin_pi
@@ -112,6 +118,7 @@ static inline bool jet_lacks_memory(const jet *x)
 #define number_mul jet_mul
 #define number_addmul jet_addmul
 #define number_hull jet_hull
+#define number_is_zero jet_is_zero
 #define number_lacks_memory jet_lacks_memory
 #define number_cos_pi jet_cos_pi
 #define number_sin_pi jet_sin_pi

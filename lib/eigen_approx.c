@@ -260,12 +260,11 @@ double spectral_radius_approx(const double *b, int n)
         share /= 2;
         for (size_t i = 0; i < size; i++)
             c[i] /= norm;
+        memset(d, 0, size * sizeof *d);
         for (int i = 0; i < n; i++)
-            for (int j = 0; j < n; j++) {
-                d[i * n + j] = 0;
-                for (int l = 0; l < n; l++)
+            for (int l = 0; l < n; l++) /* outside, so that sums need not wait for each other */
+                for (int j = 0; j < n; j++)
                     d[i * n + j] += c[i * n + l] * c[l * n + j];
-            }
         memcpy(c, d, size * sizeof *c);
     }
     free(c);

@@ -214,6 +214,12 @@ void sector_net_free(sector_net *z)
     z->x = z->y = NULL;
 }
 
+/* Of unit nets most values are, and 0 need not be multiplied. */
+static bool is_zero_pair(const number *x, const number *y)
+{
+    return number_is_zero(x) == TRUTH_TRUE && number_is_zero(y) == TRUTH_TRUE;
+}
+
 sector_status sector_value(number *x, number *y, const sector_net *z, int a, int b, long prec)
 {
     int turns;
@@ -228,9 +234,16 @@ sector_status sector_value(number *x, number *y, const sector_net *z, int a, int
         return SECTOR_OUTSIDE;
     number_set(x, &z->x[sector_index(z, a, b)]);
     number_set(y, &z->y[sector_index(z, a, b)]);
-    if (z->twist && turns)
+    if (z->twist && turns && !is_zero_pair(x, y))
         twist_apply(x, y, z->twist, turns, prec);
     return SECTOR_OK;
+}
+
+/* The least number >= low that differs from a by a multiple of dilation. */
+static long first_congruent(long low, long a, long dilation)
+{
+    long rest = (a - low) % dilation;
+    return low + (rest < 0 ? rest + dilation : rest);
 }
 
 /* The points p that contribute are those with (a,b) - dilation p in the mask's box. */
@@ -243,11 +256,13 @@ sector_status sector_masked_value(number *x, number *y, const sector_net *z, con
     number_init(&q);
     number_zero(x);
     number_zero(y);
-    for (long i = terms->a0; s == SECTOR_OK && i < terms->a0 + terms->na; i++)
-        for (long j = terms->b0; s == SECTOR_OK && j < terms->b0 + terms->nb; j++) {
-            if ((a - i) % dilation || (b - j) % dilation || laurent_is_zero_at(terms, i, j))
+    for (long i = first_congruent(terms->a0, a, dilation); s == SECTOR_OK && i < terms->a0 + terms->na; i += dilation)
+        for (long j = first_congruent(terms->b0, b, dilation); s == SECTOR_OK && j < terms->b0 + terms->nb; j += dilation) {
+            if (laurent_is_zero_at(terms, i, j))
                 continue;
             s = sector_value(&p, &q, z, (int)(a - i) / dilation, (int)(b - j) / dilation, prec);
+            if (s != SECTOR_OK || is_zero_pair(&p, &q))
+                continue;
             number_addmul(x, mask_numbers_at(mask, i, j), &p, prec);
             if (z->twist)
                 number_addmul(y, mask_numbers_at(mask, i, j), &q, prec);

@@ -19,7 +19,8 @@ VERIFY_SOURCES = \
   verify/valences.h verify/valences.c \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \
-  verify/spectrum_list.h verify/spectrum_list.c
+  verify/spectrum_list.h verify/spectrum_list.c \
+  verify/spectrum_doubles.h verify/spectrum_doubles.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \

@@ -5,16 +5,16 @@
    frequency (lib/monotone.h), farther off in boxes (lib/cover.h).  Where L(w) has its maximum at the top or beside it,
    a chain can only start some blocks away from it, and these blocks are boxes of one. */
 #include "spectrum_blocks.h"
+#include "spectrum_doubles.h"
 
 #include "../lib/cover.h"
-#include "../lib/eigen_approx.h"
 #include "../lib/monotone.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #define survey_blocks NUMBER_NAME(survey_blocks)
-status survey_blocks(spectrum_list *z, const scheme *s, long k, int digits, long prec, bool bounds, diagnostic *d);
+status survey_blocks(spectrum_list *z, spectrum_doubles *doubles, const scheme *s, long k, int digits, long prec, bool bounds, diagnostic *d);
 
 typedef struct {
     spectrum_list *list;
@@ -22,33 +22,16 @@ typedef struct {
     diagnostic *complaint;
     bool mirror_symmetric;
     long half;           /* k/2 */
-    int block_size;      /* order of a block's real matrix */
+    spectrum_doubles *doubles;
     number lower;        /* thin, <= L */
     double rival;        /* the largest modulus besides L that has an entry, at most */
 } survey;
 
 /* ---- the search for the top ---- */
 
-/* About the largest modulus of block m; what cannot be evaluated counts as 0, the proofs will complain. */
 static double radius_approx(survey *z, long m)
 {
-    block b;
-    diagnostic unused;
-    double radius = 0;
-    if (block_make(&b, &z->numbers, m, z->mirror_symmetric, &unused) == BLOCK_OK) {
-        int size;
-        number *matrix = block_real_matrix(&size, &b);
-        double *a = malloc(((size_t)size * (size_t)size + 1) * sizeof *a);
-        z->block_size = size;
-        for (int i = 0; matrix && a && i < size * size; i++)
-            a[i] = number_mid_approx(&matrix[i]);
-        if (matrix && a)
-            radius = spectral_radius_approx(a, size);
-        number_array_free(matrix, (size_t)size * (size_t)size);
-        free(a);
-    }
-    block_free(&b);
-    return radius >= 0 ? radius : 0;
+    return spectrum_doubles_radius(z->doubles, m);
 }
 
 #define EQUAL_PARTS 96
@@ -197,11 +180,12 @@ typedef enum { QUICK, STRICT, LENIENT } effort;
 static cover_limits limits_of(const survey *z, effort e)
 {
     static const double tries[] = {100, 400, 8000}, most[] = {100, 400, 1000};
-    double size = z->block_size, factor = fmin(1, 1000 / (size * size * size + 1));
+    double size = spectrum_doubles_size(z->doubles), factor = fmin(1, 1000 / (size * size * size + 1));
     return (cover_limits){.tries = (long)fmin(fmax(tries[e] * factor, 20), most[e]), .open = e == LENIENT ? 40 : 0, .power = 10000};
 }
 
-/* Are all eigenvalues of the blocks smaller than `bound`, thin? */
+/* Are all eigenvalues of the blocks smaller than `bound`, thin?  Double intervals prove what they can, numbers with more
+   bits what is left. */
 static status prove_below(bool *proved, frequencies *open, bool *exhausted, survey *z, frequencies m, const number *bound, effort e)
 {
     cover_list list;
@@ -209,6 +193,10 @@ static status prove_below(bool *proved, frequencies *open, bool *exhausted, surv
     number scale;
     number_init(&scale);
     cover_list_init(&list);
+#if !defined(NUMBER_INTERVAL)
+    if (m.first <= m.last)
+        m.first = spectrum_doubles_below(z->doubles, m, number_lower_bound(bound), limits_of(z, e).tries);
+#endif
     if (m.first <= m.last) {
         number_inv(&scale, bound, z->numbers.prec);
         number_upper(&scale, &scale, z->numbers.prec);
@@ -457,9 +445,9 @@ static status examine(survey *z, int digits, bool bounds)
     return result;
 }
 
-status survey_blocks(spectrum_list *list, const scheme *s, long k, int digits, long prec, bool bounds, diagnostic *d)
+status survey_blocks(spectrum_list *list, spectrum_doubles *doubles, const scheme *s, long k, int digits, long prec, bool bounds, diagnostic *d)
 {
-    survey z = {.list = list, .complaint = d, .mirror_symmetric = s->mirror_symmetric, .half = k / 2};
+    survey z = {.list = list, .doubles = doubles, .complaint = d, .mirror_symmetric = s->mirror_symmetric, .half = k / 2};
     status result = scheme_numbers_make(&z.numbers, s, k, prec, d);
     number_init(&z.lower);
     if (result == STATUS_OK)
@@ -472,8 +460,14 @@ status survey_blocks(spectrum_list *list, const scheme *s, long k, int digits, l
 /* The rounding mode is set round calls that contain no arithmetic of their own (bigfloat/number.h). */
 status NUMBER_NAME(spectrum_survey)(spectrum_list *z, const scheme *s, long k, int digits, long prec, bool bounds, diagnostic *d)
 {
-    number_mode mode = number_enter();
-    status result = survey_blocks(z, s, k, digits, prec, bounds, d);
-    number_leave(mode);
+    spectrum_doubles *doubles;
+    number_mode mode;
+    status result = spectrum_doubles_make(&doubles, s, k, d);
+    if (result == STATUS_OK) {
+        mode = number_enter();
+        result = survey_blocks(z, doubles, s, k, digits, prec, bounds, d);
+        number_leave(mode);
+    }
+    spectrum_doubles_free(doubles);
     return result;
 }
