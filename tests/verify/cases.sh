@@ -89,7 +89,7 @@ catalogue() {
   proved intervals loop-ring --set 'l=[0.49999,0.50001]' --set 'l2=[0.2,0.3]' --set 'others=[-1/8,1/8]' --set 'z=[0.2,0.3]' --valence 3..12
 }
 
-# MATH says where: butterfly 4 to 7, Loop with 1/16 for each neighbour 5 to 19.
+# It is known where: butterfly 4 to 7 (Zorin), Loop with 1/16 for each neighbour 5 to 19.
 not_c1() {
   not_proved butterfly-tie butterfly --valence 3 --max-precision 512
   refuted butterfly-8 'frequency 2 dominates (0.46904152, frequency 1 has 0.46241777)' butterfly --valence 8
