@@ -262,6 +262,10 @@ static bool finish(long i, void *result, void *data)
     if (!a)
         raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
     discard(a);
+    if (go_on && deadline_interrupted() && i + 1 < r->valences.count) {
+        raise_result(r, EXIT_INTERRUPTED);
+        go_on = false;
+    }
     progress_show(&r->progress, i + 1);
     return go_on;
 }
@@ -272,12 +276,16 @@ static void interrupt(int signal)
     deadline_interrupt();
 }
 
-static int decide_all(prove_run *r)
+static void heed_interrupts(void)
 {
-    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
     struct sigaction action = {.sa_handler = interrupt};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+}
+
+static int decide_all(prove_run *r)
+{
+    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
     progress_begin(&r->progress, r->valences.count);
     if (!workers_run(&w))
         return complain(EXIT_NO_MEMORY, "no memory");
@@ -339,6 +347,7 @@ int command_prove(int argc, char **argv)
     uniform_bounds_init(&r.uniform);
     r.valences.count = 0;
     archive_init(&r.archive);
+    heed_interrupts();
     result = prove(&r);
     archive_clear(&r.archive);
     uniform_bounds_clear(&r.uniform);

@@ -319,6 +319,7 @@ static void test_lies(void)
     b->m.first--;
     CHECK(verifies(&c, true), "mended");
     long last = b->m.last;
+    eigenpair_choice_clear(&c.list.box[2].eigenpair);
     c.list.count = 2;
     b->m.last = 500000000;
     CHECK(!verifies(&c, true), "too wide a range");

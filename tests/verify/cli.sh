@@ -194,6 +194,9 @@ patience() {
     status=$?
     [ ! -s stdout ] && grep -q 'interrupted' stderr
     holds interrupt $? "status $status: $(cat stdout stderr | head -n 1)"
+    timeout -s INT -k 60 1 "$SMOOTHCERT" prove loop --valence 3..100000 --out none >stdout 2>stderr
+    grep -q 'interrupted' stderr
+    holds interrupt-between-valences $? "$(tail -n 1 stdout)"
   fi
 }
 
