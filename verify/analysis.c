@@ -16,6 +16,29 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
 
 /* ---- what several tests need ---- */
 
+outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d)
+{
+    switch (s) {
+    case BLOCK_OK:
+        return OUTCOME_TRUE;
+    case BLOCK_OPPOSITE:
+        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+    case BLOCK_NO_CENTRE_RULE:
+        return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+    case BLOCK_BAD_INPUT:
+        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
+    default:
+        return OUTCOME_NO_MEMORY;
+    }
+}
+
+outcome analysis_make_block(block *b, analysis *a, long first, long last)
+{
+    diagnostic d;
+    frequencies m = {first, last};
+    return analysis_from_block(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
+}
+
 /* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
    B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
 static number *plain_eigenvector(const analysis *a)
@@ -43,7 +66,7 @@ static number *plain_eigenvector(const analysis *a)
 outcome analysis_make_net(analysis *a)
 {
     long m = a->choices->frequency;
-    diagnostic d;
+    diagnostic d = {0, 0, ""};
     number *plain = NULL;
     block_status made = BLOCK_NO_MEMORY;
     if (a->net_made)
@@ -56,20 +79,8 @@ outcome analysis_make_net(analysis *a)
         made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, &a->numbers, a->plan->problem->geometry.rings);
     if (plain)
         number_array_free(plain, (size_t)a->dominant.n + 1);
-    switch (made) {
-    case BLOCK_OK:
-        a->net_made = true;
-        return OUTCOME_TRUE;
-    case BLOCK_NO_MEMORY:
-        return OUTCOME_NO_MEMORY;
-    default:
-        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
-    }
-}
-
-static outcome from_block(block_status s)
-{
-    return s == BLOCK_OK ? OUTCOME_TRUE : s == BLOCK_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_FALSE;
+    a->net_made = made == BLOCK_OK;
+    return analysis_from_block(a, made, &d);
 }
 
 /* The task with everything that is the same for all tests; windows[0..*made) are the caller's to free. */
@@ -85,7 +96,7 @@ static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *window
     task->deadline = a->plan->deadline;
     for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
         int i = *made, which = task->which[i];
-        o = from_block(charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec));
+        o = analysis_from_block(a, charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec), NULL);
         task->windows[i] = &windows[i];
         task->mask[i] = &a->mask[which];
         task->patch[i] = p->polynomial ? &a->patch[which] : NULL;

@@ -25,10 +25,17 @@ typedef struct {
     const char *system;     /* for the log */
 } analysis_plan;
 
-/* c->claim, frequency, valence and grid are given; a search fills in the rest. */
+/* c->claim, frequency, valence and grid are given; a search fills in the rest.  Replays follow what is there. */
 outcome analysis_search_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_search_ball(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_search_grid(findings *f, choices *c, analysis_plan *p, long prec);
+
+/* The search at one rung of the ladder, precision 0 being hardware intervals; sets c->grid. */
+static inline outcome analysis_search(findings *f, choices *c, analysis_plan *p, long precision)
+{
+    c->grid = precision ? precision : CHOICES_MIN_GRID;
+    return precision ? analysis_search_ball(f, c, p, precision) : analysis_search_interval(f, c, p, 53);
+}
 
 outcome analysis_replay_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_ball(findings *f, choices *c, analysis_plan *p, long prec);

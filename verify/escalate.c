@@ -73,7 +73,7 @@ static outcome certify(decision *z, const choices *c, const analysis_plan *plan)
 
 static outcome try_to_prove(decision *z, choices *c, analysis_plan *plan, long precision)
 {
-    outcome o = precision ? analysis_search_ball(&z->findings, c, plan, precision) : analysis_search_interval(&z->findings, c, plan, 53);
+    outcome o = analysis_search(&z->findings, c, plan, precision);
     if (o == OUTCOME_TRUE) {
         o = certify(z, c, plan);
         if (o != OUTCOME_TRUE) {
@@ -119,7 +119,6 @@ static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspi
     outcome o, refuted;
     z->system = plan->system = hardware ? "interval" : "ball";
     z->precision = hardware ? 53 : precision;
-    c->grid = hardware ? CHOICES_MIN_GRID : precision;
     plan->max_level = l->max_level ? l->max_level : 12 + (int)(precision / 64);
     if (plan->max_level > TREE_MAX_DEPTH)
         plan->max_level = TREE_MAX_DEPTH;

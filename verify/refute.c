@@ -14,10 +14,9 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
     c->claim = claim;
     c->frequency = frequency;
     c->valence = valence;
-    c->grid = precision ? precision : CHOICES_MIN_GRID;
     f->level = 0;
     f->elements = 0;
-    return precision ? analysis_search_ball(f, c, &own, precision) : analysis_search_interval(f, c, &own, 53);
+    return analysis_search(f, c, &own, precision);
 }
 
 static bool is_final(outcome o)

@@ -94,29 +94,6 @@ static outcome prove_dominant(analysis *a, size_t *next)
     return o;
 }
 
-static outcome from_status(analysis *a, block_status s, const diagnostic *d)
-{
-    switch (s) {
-    case BLOCK_OK:
-        return OUTCOME_TRUE;
-    case BLOCK_OPPOSITE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
-    case BLOCK_NO_CENTRE_RULE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
-    case BLOCK_BAD_INPUT:
-        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
-    default:
-        return OUTCOME_NO_MEMORY;
-    }
-}
-
-outcome analysis_make_block(block *b, analysis *a, long first, long last)
-{
-    diagnostic d;
-    frequencies m = {first, last};
-    return from_status(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
-}
-
 /* The boxes of the choices from *next on that begin in the range. */
 static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, size_t *next)
 {
@@ -147,7 +124,7 @@ static outcome prove_range(analysis *a, frequencies m, size_t *next)
         return OUTCOME_NO_MEMORY;
     }
     answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &limits.stop, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
-    o = from_status(a, answer.status, &d);
+    o = analysis_from_block(a, answer.status, &d);
     if (o == OUTCOME_TRUE && answer.stopped)
         o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
     else if (o == OUTCOME_TRUE && !answer.proved)

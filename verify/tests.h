@@ -19,6 +19,7 @@
 #define test_fold NUMBER_NAME(test_fold)
 #define analysis_seek NUMBER_NAME(analysis_seek)
 
+#define analysis_from_block NUMBER_NAME(analysis_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
@@ -63,6 +64,9 @@ outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
 
+/* What a block's status means for a test, explained in the last attempt; d: the complaint that belongs to BLOCK_BAD_INPUT
+   (NULL where that cannot be). */
+outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d);
 /* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
 outcome analysis_make_block(block *b, analysis *a, long first, long last);
 /* The control net of the characteristic map, if it is not made yet. */
