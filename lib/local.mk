@@ -29,7 +29,8 @@ LIB_SOURCES = \
   lib/schur_approx.h lib/schur_approx.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
-  lib/monotone_list.h lib/monotone_list.c
+  lib/monotone_list.h lib/monotone_list.c \
+  lib/range_choices.h lib/range_choices.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \

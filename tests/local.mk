@@ -51,7 +51,7 @@ tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
-  tests/verify/t-valences \
+  tests/verify/t-valence_list \
   tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove \
@@ -59,7 +59,7 @@ VERIFY_TESTS = \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
-tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)

@@ -32,12 +32,14 @@ outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d)
     }
 }
 
+#if !defined(NUMBER_AFFINE)
 outcome analysis_make_block(block *b, analysis *a, long first, long last)
 {
     diagnostic d;
     frequencies m = {first, last};
     return analysis_from_block(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
 }
+#endif
 
 /* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
    B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
@@ -93,6 +95,7 @@ static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *window
     task->count = count;
     task->replay = a->replay;
     task->max_level = a->plan->max_level;
+    task->max_elements = a->replay ? 0 : a->plan->max_elements;
     task->deadline = a->plan->deadline;
     for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
         int i = *made, which = task->which[i];
@@ -149,7 +152,7 @@ static outcome evaluate_scheme(analysis *a)
     for (int i = 0; i < RING_NETS; i++)
         if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], i == RING_VALUES, a->prec)))
             return OUTCOME_NO_MEMORY;
-    switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
+    switch (scheme_numbers_make_range(&a->numbers, p->scheme, a->choices->k, a->prec, &d)) {
     case STATUS_OK:
         return OUTCOME_TRUE;
     case STATUS_BAD_INPUT:
@@ -192,10 +195,11 @@ static outcome run_test(analysis *a, const analysis_test *t)
     return o;
 }
 
-/* It writes its own attempts, and limits the search for trees that follows. */
+/* It writes its own attempts, and limits the search for trees that follows.  It is for single valences. */
 static outcome run_uniform(analysis *a)
 {
     outcome o = OUTCOME_TRUE;
+#if !defined(NUMBER_AFFINE)
     if (!a->plan->uniform || a->replay)
         return o;
     if (!a->plan->found[TEST_UNIFORM]) {
@@ -206,6 +210,9 @@ static outcome run_uniform(analysis *a)
         a->plan->found[TEST_UNIFORM] = true;
         a->plan->max_level = a->findings->uniform_level;
     }
+#else
+    (void)a;
+#endif
     return o;
 }
 

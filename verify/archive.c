@@ -148,20 +148,20 @@ archive_status archive_keep(archive *z, char **certificate, const decision *d)
     bool ok;
     *certificate = NULL;
     if (z->path && d->kept_before) {
-        snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
+        snprintf(name, sizeof name, "valence-%ld.cert", d->k.first);
         *certificate = path_of(z, name);
         return *certificate ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
     }
-    if (!z->path || (d->verdict == VERDICT_UNDECIDED && is_proved(z, d->valence)))
+    if (!z->path || (d->verdict == VERDICT_UNDECIDED && is_proved(z, d->k.first)))
         return ARCHIVE_OK; /* what was proved once stays, and the log that belongs to it */
     buffer_init(&text);
     prove_write_log(&text, d);
-    snprintf(name, sizeof name, "valence-%ld.log", d->valence);
+    snprintf(name, sizeof name, "valence-%ld.log", d->k.first);
     if (text.failed)
         errno = ENOMEM;
     ok = !text.failed && archive_store(z, name, text.bytes, text.length);
     buffer_clear(&text);
-    snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
+    snprintf(name, sizeof name, "valence-%ld.cert", d->k.first);
     if (ok && d->verdict != VERDICT_UNDECIDED) {
         *certificate = path_of(z, name);
         ok = *certificate && archive_store(z, name, d->certificate.bytes, d->certificate.length);

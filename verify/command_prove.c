@@ -3,11 +3,13 @@
 #include "command.h"
 
 #include "archive.h"
+#include "classification.h"
 #include "command_scheme.h"
 #include "escalate.h"
+#include "partition.h"
 #include "progress.h"
 #include "prove_output.h"
-#include "valences.h"
+#include "valence_list.h"
 #include "workers.h"
 
 #include "../bigfloat/interval.h"
@@ -24,7 +26,9 @@ static const char help[] =
     "Usage: smoothcert prove SCHEME --valence LIST [OPTION]...\n"
     "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
     "\n"
-    "  --valence LIST        valences, such as 7 or 3..20,50\n"
+    "  --valence LIST        valences, such as 7 or 3..20,50 or 8..inf or all; up to 1,000 of them are\n"
+    "                        examined one by one, more in ranges, as wide as can be decided at once\n"
+    "  --each                one by one, however many they are (100,000 at most)\n"
     "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
     "  --method METHOD       adaptive (default), or uniform: the reference for triangle meshes, which\n"
     "                        subdivides everywhere alike and bounds the error of the whole net; the\n"
@@ -41,6 +45,9 @@ static const char help[] =
     "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
+/* More valences than that are examined in ranges, unless --each is given, which goes farther. */
+enum { MAX_EACH = 1000, MAX_EACH_FORCED = 100000 };
+
 typedef struct {
     scheme_options scheme;
     const char *list;
@@ -48,6 +55,7 @@ typedef struct {
     limits limits;
     long jobs;
     bool uniform;
+    bool each;
     bool json;
 } options;
 
@@ -56,9 +64,10 @@ typedef struct {
     scheme scheme;
     problem problem;
     uniform_bounds uniform;
-    valences valences;
+    valence_list list;
     archive archive;
     progress progress;
+    classification classification; /* of ranges */
     int result;
 } prove_run;
 
@@ -105,6 +114,9 @@ static int read_option(options *o, int option, const char *value)
     case 'o':
         o->out = value;
         return -1;
+    case 'e':
+        o->each = true;
+        return -1;
     case 'J':
         o->json = true;
         return -1;
@@ -120,7 +132,8 @@ static int read_options(options *o, int argc, char **argv)
         {"valence", required_argument, NULL, 'v'},   {"set", required_argument, NULL, 's'},       {"precision", required_argument, NULL, 'p'},
         {"max-precision", required_argument, NULL, 'm'}, {"max-level", required_argument, NULL, 'l'}, {"time-limit", required_argument, NULL, 't'},
         {"jobs", required_argument, NULL, 'j'},      {"out", required_argument, NULL, 'o'},       {"json", no_argument, NULL, 'J'},
-        {"method", required_argument, NULL, 'M'},    {"help", no_argument, NULL, 'h'},                {NULL, 0, NULL, 0},
+        {"method", required_argument, NULL, 'M'},    {"each", no_argument, NULL, 'e'},               {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
     };
     int option, result;
     memset(o, 0, sizeof *o);
@@ -198,6 +211,16 @@ static void discard(void *result)
     free(a);
 }
 
+/* Not of what was left undecided for a reason that has nothing to do with the scheme. */
+static void keep(prove_run *r, answer *a)
+{
+    decision *d = &a->decision;
+    if (d->verdict == VERDICT_UNDECIDED && (d->outcome == OUTCOME_NO_MEMORY || d->outcome == OUTCOME_BAD_INPUT || deadline_interrupted()))
+        return;
+    a->kept = archive_keep(&r->archive, &a->certificate, d);
+    a->error = errno;
+}
+
 static void *decide(long i, void *data)
 {
     prove_run *r = data;
@@ -207,13 +230,10 @@ static void *decide(long i, void *data)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    archive_read(&r->archive, &earlier, valences_get(&r->valences, i));
-    decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
+    archive_read(&r->archive, &earlier, valence_list_get(&r->list, i));
+    decide_valence(&a->decision, &r->problem, valence_list_get(&r->list, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
-    if (a->decision.verdict != VERDICT_UNDECIDED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
-        a->kept = archive_keep(&r->archive, &a->certificate, &a->decision);
-        a->error = errno;
-    }
+    keep(r, a);
     return a;
 }
 
@@ -233,7 +253,7 @@ static bool report(prove_run *r, const answer *a)
         return false;
     }
     if (d->outcome == OUTCOME_NO_MEMORY) {
-        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->valence));
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->k.first));
         return false;
     }
     if (d->outcome == OUTCOME_BAD_INPUT) {
@@ -241,7 +261,7 @@ static bool report(prove_run *r, const answer *a)
         return true;
     }
     if (a->kept != ARCHIVE_OK) {
-        raise_result(r, complain(a->error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d->valence, strerror(a->error)));
+        raise_result(r, complain(a->error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d->k.first, strerror(a->error)));
         return false;
     }
     (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);
@@ -262,7 +282,7 @@ static bool finish(long i, void *result, void *data)
     if (!a)
         raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
     discard(a);
-    if (go_on && deadline_interrupted() && i + 1 < r->valences.count) {
+    if (go_on && deadline_interrupted() && i + 1 < r->list.count) {
         raise_result(r, EXIT_INTERRUPTED);
         go_on = false;
     }
@@ -283,19 +303,87 @@ static void heed_interrupts(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
-static int decide_all(prove_run *r)
+/* ---- one by one, or in ranges ---- */
+
+static int decide_each(prove_run *r)
 {
-    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
-    progress_begin(&r->progress, r->valences.count);
+    workers w = {r->list.count, (int)r->options.jobs, decide, finish, discard, r};
+    progress_begin(&r->progress, r->list.count);
     if (!workers_run(&w))
         return complain(EXIT_NO_MEMORY, "no memory");
     progress_clear(&r->progress);
-    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
+    return r->result;
+}
+
+static bool take(decision *d, void *data)
+{
+    prove_run *r = data;
+    answer a = {.decision = *d};
+    bool go_on;
+    keep(r, &a);
+    go_on = report(r, &a);
+    if (go_on && !classification_add(&r->classification, d)) {
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
+        go_on = false;
+    }
+    if (go_on && deadline_interrupted()) {
+        raise_result(r, EXIT_INTERRUPTED);
+        go_on = false;
+    }
+    free(a.certificate);
+    return go_on;
+}
+
+static valence_range find_earlier(buffer *earlier, long k, long last, void *data)
+{
+    prove_run *r = data;
+    (void)r, (void)earlier, (void)last;
+    return one_valence(k);
+}
+
+static void summarise(const prove_run *r)
+{
+    buffer text;
+    buffer_init(&text);
+    if (r->options.json) {
+        buffer_print(&text, "{\"scheme\":\"%s\",\"boxes\":%ld,", r->scheme.name, r->classification.boxes);
+        classification_print_json(&text, &r->classification);
+        buffer_print(&text, "}");
+    } else {
+        buffer_print(&text, "%s, in %ld %s: ", r->scheme.name, r->classification.boxes, r->classification.boxes == 1 ? "box" : "boxes");
+        classification_print(&text, &r->classification);
+    }
+    if (!text.failed)
+        puts(text.bytes);
+    buffer_clear(&text);
+}
+
+static int decide_ranges(prove_run *r)
+{
+    partition p = {&r->problem, &r->options.limits, find_earlier, take, r};
+    for (int i = 0; i < r->list.ranges && r->result <= EXIT_UNDECIDED; i++)
+        partition_run(&p, r->list.range[i]);
+    if (r->classification.count)
+        summarise(r);
+    return r->result;
+}
+
+/* Ranges need the real form. */
+static int decide_all(prove_run *r)
+{
+    bool each = r->options.each || r->list.count <= MAX_EACH || (!r->scheme.mirror_symmetric && r->list.count <= MAX_EACH_FORCED);
+    int result;
+    if (each && r->list.count > MAX_EACH_FORCED)
+        return complain(EXIT_USAGE, "--each examines at most %d valences in a run", MAX_EACH_FORCED);
+    if (!each && !r->scheme.mirror_symmetric)
+        return complain(EXIT_USAGE, "ranges of valences need a scheme that is evidently mirror-symmetric, which %s is not; name at most %d valences", r->scheme.name, MAX_EACH_FORCED);
+    result = each ? decide_each(r) : decide_ranges(r);
+    if (result <= EXIT_UNDECIDED || result == EXIT_INTERRUPTED || result == EXIT_BAD_INPUT)
         if (archive_write_index(&r->archive) != ARCHIVE_OK)
             return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/index: %s", r->archive.path, strerror(errno));
-    if (r->result == EXIT_INTERRUPTED)
+    if (result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
-    return r->result;
+    return result;
 }
 
 /* What the uniform method needs, where it is wanted. */
@@ -319,7 +407,7 @@ static int prove(prove_run *r)
     int result = scheme_options_load(&r->scheme, &r->options.scheme);
     if (result >= 0)
         return result;
-    complaint = valences_read(&r->valences, r->options.list);
+    complaint = valence_list_read(&r->list, r->options.list);
     if (complaint)
         return complain(EXIT_USAGE, "--valence %s: %s", r->options.list, complaint);
     if (!interval_self_test()) {
@@ -345,11 +433,13 @@ int command_prove(int argc, char **argv)
     scheme_init(&r.scheme);
     problem_init(&r.problem);
     uniform_bounds_init(&r.uniform);
-    r.valences.count = 0;
+    r.list.count = 0;
     archive_init(&r.archive);
+    classification_init(&r.classification);
     heed_interrupts();
     result = prove(&r);
     archive_clear(&r.archive);
+    classification_clear(&r.classification);
     uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);

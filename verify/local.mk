@@ -14,9 +14,11 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
+  verify/partition.h verify/partition.c \
+  verify/classification.h verify/classification.c \
   verify/prove_output.h verify/prove_output.c \
   verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
-  verify/valences.h verify/valences.c \
+  verify/valence_list.h verify/valence_list.c \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \

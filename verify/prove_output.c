@@ -46,7 +46,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
 {
     char system[64];
     if (d->verdict == VERDICT_PROVED) {
-        printf("proved: %s is C1 at valence %ld; ", name, d->valence);
+        printf("proved: %s is C1 at valence %ld; ", name, d->k.first);
         describe_system(system, sizeof system, d->plainly_regular || d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -57,7 +57,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s", system);
         }
     } else if (d->verdict == VERDICT_REFUTED) {
-        printf("refuted: %s is not C1 at valence %ld; ", name, d->valence);
+        printf("refuted: %s is not C1 at valence %ld; ", name, d->k.first);
         describe_system(system, sizeof system, d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -66,7 +66,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
     } else {
         const attempt *a = decision_obstacle(d);
         describe_system(system, sizeof system, a->system, a->precision);
-        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->valence, a->test, a->reason, system);
+        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->k.first, a->test, a->reason, system);
     }
     printf(", %.3g s", d->seconds);
     if (certificate)
@@ -124,7 +124,7 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
     const attempt *a = decision_obstacle(d);
     buffer b;
     buffer_init(&b);
-    buffer_print(&b, "{\"scheme\":\"%s\",\"valence\":%ld,\"verdict\":\"%s\"", name, d->valence, verdict_name(d->verdict));
+    buffer_print(&b, "{\"scheme\":\"%s\",\"valence\":%ld,\"verdict\":\"%s\"", name, d->k.first, verdict_name(d->verdict));
     if (d->verdict == VERDICT_PROVED && !d->plainly_regular && !d->kept_before)
         write_findings(&b, &d->findings);
     if (d->kept_before) {
@@ -155,7 +155,7 @@ void prove_write_log(buffer *b, const decision *d)
 {
     for (int i = 0; i < d->findings.attempt_count; i++) {
         const attempt *a = &d->findings.attempts[i];
-        buffer_print(b, "{\"valence\":%ld", d->valence);
+        buffer_print(b, "{\"valence\":%ld", d->k.first);
         write_string(b, "test", a->test);
         write_string(b, "system", a->system);
         buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
@@ -168,7 +168,7 @@ void prove_write_log(buffer *b, const decision *d)
         buffer_print(b, "}\n");
     }
     if (d->findings.uniform) {
-        buffer_print(b, "{\"valence\":%ld", d->valence);
+        buffer_print(b, "{\"valence\":%ld", d->k.first);
         write_string(b, "test", "both methods");
         write_levels(b, &d->findings);
         write_string(b, "outcome", verdict_name(d->verdict));

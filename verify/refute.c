@@ -13,7 +13,7 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
     choices_clear(c);
     c->claim = claim;
     c->frequency = frequency;
-    c->valence = valence;
+    c->k = one_valence(valence);
     f->level = 0;
     f->elements = 0;
     return analysis_search(f, c, &own, precision);

@@ -149,7 +149,7 @@ static bool is_within_limits(const cover_list *blocks)
 outcome test_spectrum(analysis *a)
 {
     cover_list *blocks = &a->choices->blocks;
-    long f = a->choices->frequency, half = a->choices->valence / 2;
+    long f = a->choices->frequency, half = a->choices->k.first / 2;
     size_t next = 0;
     outcome o = OUTCOME_TRUE;
     if (!a->replay) {
