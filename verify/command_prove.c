@@ -3,8 +3,10 @@
 #include "command.h"
 
 #include "archive.h"
+#include "archive_run.h"
 #include "command_scheme.h"
 #include "escalate.h"
+#include "keeper.h"
 #include "progress.h"
 #include "prove_output.h"
 #include "valences.h"
@@ -52,13 +54,16 @@ typedef struct {
 } options;
 
 typedef struct {
+    buffer command; /* for the archive: getopt_long changes the order of argv */
     options options;
     scheme scheme;
     problem problem;
     uniform_bounds uniform;
     valences valences;
     archive archive;
+    keeper keeper;
     progress progress;
+    long reported;
     int result;
 } prove_run;
 
@@ -160,32 +165,40 @@ static void name_archive(char *name, size_t size, const prove_run *r)
     }
 }
 
+static int complain_of_archive(const char *path, archive_status why)
+{
+    switch (why) {
+    case ARCHIVE_OTHER_SCHEME:
+        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
+    case ARCHIVE_NO_SCHEME:
+        return complain(EXIT_BAD_INPUT, "%s holds certificates but no " ARCHIVE_SCHEME "; name another directory with --out", path);
+    case ARCHIVE_BUSY:
+        return complain(EXIT_IO, "%s: another run is at work there; wait for its end, or name another directory with --out", path);
+    default:
+        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
+    }
+}
+
 static int open_archive(prove_run *r)
 {
     char name[SCHEME_NAME_MAX + 128];
     const char *path = r->options.out;
+    archive_status opened;
     if (path && !strcmp(path, "none"))
         return -1;
     name_archive(name, sizeof name, r);
     if (!path)
         path = name;
-    switch (archive_open(&r->archive, path, &r->scheme)) {
-    case ARCHIVE_OK:
-        return -1;
-    case ARCHIVE_OTHER_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
-    }
+    opened = archive_open(&r->archive, path, &r->scheme, &r->command);
+    return opened == ARCHIVE_OK ? -1 : complain_of_archive(path, opened);
 }
 
 /* ---- the answers ---- */
 
 typedef struct {
     decision decision;
+    archive_earlier earlier;
     char *certificate; /* where it is kept */
-    archive_status kept;
-    int error;         /* errno of what could not be kept */
 } answer;
 
 static void discard(void *result)
@@ -207,13 +220,9 @@ static void *decide(long i, void *data)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    archive_read(&r->archive, &earlier, valences_get(&r->valences, i));
+    a->earlier = archive_read(&r->archive, &earlier, valence_only(valences_get(&r->valences, i)));
     decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
-    if (a->decision.verdict != VERDICT_UNDECIDED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
-        a->kept = archive_keep(&r->archive, &a->certificate, &a->decision);
-        a->error = errno;
-    }
     return a;
 }
 
@@ -227,7 +236,8 @@ static void raise_result(prove_run *r, int exit_status)
 static bool report(prove_run *r, const answer *a)
 {
     const decision *d = &a->decision;
-    progress_clear(&r->progress);
+    if (a->earlier == EARLIER_DAMAGED)
+        complain(0, "%s: the certificate for valence %ld is not the one that was finished; it is made anew", r->archive.path, d->valence);
     if (d->verdict == VERDICT_UNDECIDED && deadline_interrupted()) {
         raise_result(r, EXIT_INTERRUPTED);
         return false;
@@ -240,10 +250,6 @@ static bool report(prove_run *r, const answer *a)
         raise_result(r, complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, decision_obstacle(d)->reason));
         return true;
     }
-    if (a->kept != ARCHIVE_OK) {
-        raise_result(r, complain(a->error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d->valence, strerror(a->error)));
-        return false;
-    }
     (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);
     if (d->verdict != VERDICT_PROVED)
         raise_result(r, d->verdict == VERDICT_REFUTED ? EXIT_REFUTED : EXIT_UNDECIDED);
@@ -254,20 +260,66 @@ static bool report(prove_run *r, const answer *a)
     return true;
 }
 
-static bool finish(long i, void *result, void *data)
+/* ---- what is finished ---- */
+
+static bool is_worth_keeping(const answer *a)
 {
-    prove_run *r = data;
-    answer *a = result;
+    const decision *d = &a->decision;
+    return d->verdict != VERDICT_UNDECIDED || (d->outcome != OUTCOME_NO_MEMORY && d->outcome != OUTCOME_BAD_INPUT && !deadline_interrupted());
+}
+
+/* Makes the answers durable; only then are they told. */
+static bool keep_all(prove_run *r, answer *const *answers, int count)
+{
+    archive_status kept = ARCHIVE_OK;
+    long from = 0;
+    for (int i = 0; kept == ARCHIVE_OK && i < count; i++) {
+        if (!answers[i] || !is_worth_keeping(answers[i]))
+            continue;
+        from = from ? from : answers[i]->decision.valence;
+        kept = archive_keep(&r->archive, &answers[i]->certificate, &answers[i]->decision, answers[i]->earlier);
+    }
+    if (kept == ARCHIVE_OK)
+        kept = archive_commit(&r->archive);
+    if (kept == ARCHIVE_OK)
+        return true;
+    raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld and what follows could not be kept: %s", r->archive.path, from, strerror(errno)));
+    return false;
+}
+
+static bool report_next(prove_run *r, const answer *a)
+{
     bool go_on = a != NULL && report(r, a);
     if (!a)
         raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
-    discard(a);
-    if (go_on && deadline_interrupted() && i + 1 < r->valences.count) {
+    r->reported++;
+    if (go_on && deadline_interrupted() && r->reported < r->valences.count) {
         raise_result(r, EXIT_INTERRUPTED);
         go_on = false;
     }
-    progress_show(&r->progress, i + 1);
     return go_on;
+}
+
+static bool keep_group(void *const *results, int count, void *data)
+{
+    prove_run *r = data;
+    answer *const *answers = (answer *const *)results;
+    bool go_on;
+    progress_clear(&r->progress);
+    go_on = keep_all(r, answers, count);
+    for (int i = 0; i < count; i++) {
+        go_on = go_on && report_next(r, answers[i]);
+        discard(answers[i]);
+    }
+    progress_show(&r->progress, r->reported);
+    return go_on;
+}
+
+static bool finish(long i, void *result, void *data)
+{
+    prove_run *r = data;
+    (void)i;
+    return keeper_put(&r->keeper, result);
 }
 
 static void interrupt(int signal)
@@ -283,16 +335,35 @@ static void heed_interrupts(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+static int write_index(prove_run *r)
+{
+    valence_range pair[2];
+    char first[VALENCE_RANGE_TEXT], second[VALENCE_RANGE_TEXT];
+    switch (archive_write_index(&r->archive, pair)) {
+    case ARCHIVE_OK:
+        return r->result;
+    case ARCHIVE_CONTRADICTION:
+        valence_range_print(first, pair[0]);
+        valence_range_print(second, pair[1]);
+        return complain(EXIT_FAULT, "%s: the certificates for %s and for %s contradict each other: this is a fault of the program", r->archive.path, first, second);
+    default:
+        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/" ARCHIVE_INDEX ": %s", r->archive.path, strerror(errno));
+    }
+}
+
 static int decide_all(prove_run *r)
 {
     workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
+    bool ran;
     progress_begin(&r->progress, r->valences.count);
-    if (!workers_run(&w))
-        return complain(EXIT_NO_MEMORY, "no memory");
+    keeper_start(&r->keeper);
+    ran = workers_run(&w);
+    keeper_finish(&r->keeper);
     progress_clear(&r->progress);
+    if (!ran)
+        return complain(EXIT_NO_MEMORY, "no memory");
     if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
-        if (archive_write_index(&r->archive) != ARCHIVE_OK)
-            return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/index: %s", r->archive.path, strerror(errno));
+        r->result = write_index(r);
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;
@@ -338,18 +409,26 @@ static int prove(prove_run *r)
 int command_prove(int argc, char **argv)
 {
     prove_run r;
-    int result = read_options(&r.options, argc, argv);
-    if (result >= 0)
+    int result;
+    buffer_init(&r.command);
+    archive_describe_run(&r.command, argc, argv);
+    result = read_options(&r.options, argc, argv);
+    if (result >= 0) {
+        buffer_clear(&r.command);
         return result;
+    }
     r.result = EXIT_PROVED;
     scheme_init(&r.scheme);
     problem_init(&r.problem);
     uniform_bounds_init(&r.uniform);
     r.valences.count = 0;
+    r.reported = 0;
+    r.keeper = (keeper){.keep = keep_group, .discard = discard, .data = &r};
     archive_init(&r.archive);
     heed_interrupts();
     result = prove(&r);
     archive_clear(&r.archive);
+    buffer_clear(&r.command);
     uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);

@@ -14,10 +14,17 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
+  verify/json.h verify/json.c \
   verify/prove_output.h verify/prove_output.c \
-  verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
+  verify/valence_range.h verify/valence_range.c \
+  verify/statement.h verify/statement.c \
+  verify/durable.h verify/durable.c \
+  verify/journal.h verify/journal.c \
+  verify/archive_run.h verify/archive_run.c \
+  verify/archive.h verify/archive_index.h verify/archive.c verify/archive_index.c verify/archive_open.c \
   verify/valences.h verify/valences.c \
   verify/workers.h verify/workers.c \
+  verify/keeper.h verify/keeper.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
   verify/spectrum_doubles.h verify/spectrum_doubles.c

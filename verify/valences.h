@@ -3,16 +3,13 @@
 #define VERIFY_VALENCES_H
 
 #include "choices.h"
+#include "valence_range.h"
 
 #include <stddef.h>
 
 /* A list is examined one by one, up to so many of them. */
 #define VALENCES_MAX 100000
 #define VALENCES_MAX_RANGES 1000
-
-typedef struct {
-    long first, last;
-} valence_range;
 
 typedef struct {
     valence_range range[VALENCES_MAX_RANGES]; /* increasing, with gaps between them */
