@@ -124,19 +124,15 @@ static bool read_certificate(archive_index_entry *e, const char *path, const jou
 }
 
 /* What is decided as part of a longer range, which comes before it, is not undecided. */
-static void drop_covered(archive_index *z)
+static void mark_covered(archive_index *z)
 {
-    size_t kept = 0;
     long reach = 0;
     for (size_t i = 0; i < z->count; i++) {
-        archive_index_entry e = z->entry[i];
-        if (e.verdict != VERDICT_UNDECIDED && e.valences.last > reach)
-            reach = e.valences.last;
-        else if (e.verdict == VERDICT_UNDECIDED && !e.damaged && e.valences.last <= reach)
-            continue;
-        z->entry[kept++] = e;
+        archive_index_entry *e = &z->entry[i];
+        if (e->verdict != VERDICT_UNDECIDED && e->valences.last > reach)
+            reach = e->valences.last;
+        e->covered = e->verdict == VERDICT_UNDECIDED && !e->damaged && e->valences.last <= reach;
     }
-    z->count = kept;
 }
 
 bool archive_index_make(archive_index *z, const char *path, const journal *finished)
@@ -147,7 +143,7 @@ bool archive_index_make(archive_index *z, const char *path, const journal *finis
         if (z->entry[i].verdict != VERDICT_UNDECIDED)
             ok = read_certificate(&z->entry[i], path, finished);
     if (ok)
-        drop_covered(z);
+        mark_covered(z);
     return ok;
 }
 
@@ -156,6 +152,8 @@ void archive_index_print(buffer *text, const archive_index *z)
     for (size_t i = 0; i < z->count; i++) {
         const archive_index_entry *e = &z->entry[i];
         char valences[VALENCE_RANGE_TEXT], name[ARCHIVE_NAME_MAX];
+        if (e->covered)
+            continue;
         valence_range_print(valences, e->valences);
         archive_name(name, e->valences, ARCHIVE_CERTIFICATE);
         if (e->verdict == VERDICT_UNDECIDED)

@@ -13,7 +13,8 @@ typedef struct {
     char digest[65];  /* of the certificate */
     int version;      /* of the certificate, */
     long grid;        /* its grid, */
-    size_t bytes;     /* and its length */
+    size_t bytes;     /* and its length; 0: there is no certificate */
+    bool covered;     /* undecided here, but decided as part of a longer range: not in the text */
 } archive_index_entry;
 
 typedef struct {

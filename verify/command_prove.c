@@ -69,14 +69,6 @@ typedef struct {
 
 /* ---- arguments ---- */
 
-static bool read_seconds(double *at, const char *text)
-{
-    char *end;
-    double seconds = strtod(text, &end);
-    *at = deadline_now() + seconds;
-    return end != text && *end == '\0' && seconds > 0 && seconds <= 1e9;
-}
-
 /* -1: go on; else the exit status. */
 static int read_option(options *o, int option, const char *value)
 {
@@ -104,7 +96,7 @@ static int read_option(options *o, int option, const char *value)
         o->limits.max_level = (int)level;
         return -1;
     case 't':
-        return read_seconds(&o->limits.deadline.at, value) ? -1 : complain(EXIT_USAGE, "--time-limit: expected a number of seconds, found '%s'", value);
+        return read_seconds_option(&o->limits.deadline, value) ? -1 : complain(EXIT_USAGE, "--time-limit: expected a number of seconds, found '%s'", value);
     case 'j':
         return read_long_option(&o->jobs, value, 1, 256) ? -1 : complain(EXIT_USAGE, "--jobs: expected a number from 1 to 256, found '%s'", value);
     case 'o':

@@ -22,6 +22,10 @@ VERIFY_SOURCES = \
   verify/journal.h verify/journal.c \
   verify/archive_run.h verify/archive_run.c \
   verify/archive.h verify/archive_index.h verify/archive.c verify/archive_index.c verify/archive_open.c \
+  verify/archive_view.h verify/archive_view.c \
+  verify/tar.h verify/tar.c \
+  verify/examine.h verify/examine.c \
+  verify/rerun_report.h verify/rerun_report.c \
   verify/valences.h verify/valences.c \
   verify/workers.h verify/workers.c \
   verify/keeper.h verify/keeper.c \
@@ -63,6 +67,10 @@ smoothcert_SOURCES = \
   verify/command_spectrum.c \
   verify/command_regular.c \
   verify/command_schemes.c \
+  verify/command_certificates.h verify/command_certificates.c \
+  verify/command_show.c \
+  verify/command_rerun.c \
+  verify/command_archive.h verify/command_archive.c verify/command_archive_verify.c verify/command_archive_diff.c verify/command_archive_pack.c \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 

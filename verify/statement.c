@@ -1,6 +1,7 @@
 /* statement.c: the head of a certificate. */
 #include "statement.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,6 +54,17 @@ static bool next_number(reader *r, long *value, const char *name, long high)
     return *end == '\0' && *value <= high;
 }
 
+/* "7", "8 20" or "21 inf". */
+static bool read_valences(valence_range *z, const char *word)
+{
+    char text[LONGEST_LINE + 2];
+    const char *blank = strchr(word, ' '), *rest;
+    if (blank)
+        snprintf(text, sizeof text, "%.*s..%s", (int)(blank - word), word, blank + 1);
+    rest = valence_range_read(z, blank ? text : word);
+    return rest && *rest == '\0' && (z->first < z->last) == (blank != NULL);
+}
+
 static const char *read_head(statement *z, reader *r)
 {
     char text[LONGEST_LINE + 1];
@@ -74,8 +86,8 @@ static const char *read_head(statement *z, reader *r)
         return "expected 'claim c1' or 'claim not-c1'";
     z->c1 = !strcmp(word, "c1");
     word = next_value(r, "valence", text);
-    if (!word || !(word = valence_range_read(&z->valences, word)) || *word)
-        return "expected 'valence' and a number or a range";
+    if (!word || !read_valences(&z->valences, word))
+        return "expected 'valence' and one number, or the ends of a range";
     if (!next_number(r, &z->grid, "grid", 1000000))
         z->grid = 0;
     return NULL;
