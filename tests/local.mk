@@ -106,6 +106,7 @@ SCRIPT_TESTS = \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/archive.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh
 

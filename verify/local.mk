@@ -6,6 +6,7 @@ VERIFY_SOURCES = \
   verify/buffer.h verify/buffer.c \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
+  verify/valence_range.h verify/valence_range.c \
   verify/choices.h verify/choices.c \
   verify/problem.h verify/problem.c \
   verify/certificate.h verify/certificate.c \
@@ -16,10 +17,20 @@ VERIFY_SOURCES = \
   verify/escalate.h verify/escalate.c \
   verify/partition.h verify/partition.c \
   verify/classification.h verify/classification.c \
+  verify/json.h verify/json.c \
   verify/prove_output.h verify/prove_output.c \
-  verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
+  verify/statement.h verify/statement.c \
+  verify/durable.h verify/durable.c \
+  verify/journal.h verify/journal.c \
+  verify/archive_run.h verify/archive_run.c \
+  verify/archive.h verify/archive_index.h verify/archive.c verify/archive_index.c verify/archive_open.c \
+  verify/archive_view.h verify/archive_view.c \
+  verify/tar.h verify/tar.c \
+  verify/examine.h verify/examine.c \
+  verify/rerun_report.h verify/rerun_report.c \
   verify/valence_list.h verify/valence_list.c \
   verify/workers.h verify/workers.c \
+  verify/keeper.h verify/keeper.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
   verify/spectrum_doubles.h verify/spectrum_doubles.c
@@ -58,6 +69,10 @@ smoothcert_SOURCES = \
   verify/command_spectrum.c \
   verify/command_regular.c \
   verify/command_schemes.c \
+  verify/command_certificates.h verify/command_certificates.c \
+  verify/command_show.c \
+  verify/command_rerun.c \
+  verify/command_archive.h verify/command_archive.c verify/command_archive_verify.c verify/command_archive_diff.c verify/command_archive_pack.c \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 

@@ -95,16 +95,19 @@ static void decide_next(progress_of_partition *s, decision *d)
     }
 }
 
-void partition_run(const partition *p, valence_range range)
+bool partition_run(const partition *p, valence_range range)
 {
     progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0};
     bool more = true;
-    while (more) {
+    for (long last = 0; more && last != range.last; s.k = last + 1) {
         decision d;
         decision_init(&d);
         decide_next(&s, &d);
-        more = p->take(&d, p->data) && d.k.last != range.last;
-        s.k = more ? d.k.last + 1 : s.k;
+        last = d.k.last;
+        more = p->take(&d, p->data);
         decision_clear(&d);
+        if (last == range.last)
+            break;
     }
+    return more;
 }

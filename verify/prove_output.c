@@ -1,6 +1,8 @@
 /* prove_output.c: figures as bounds, sentences as JSON strings. */
 #include "prove_output.h"
 
+#include "json.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -76,29 +78,6 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
 
 /* ---- JSON ---- */
 
-/* Numbers that JSON does not have become null. */
-static void write_number(buffer *b, const char *name, double value)
-{
-    if (isfinite(value))
-        buffer_print(b, ",\"%s\":%.17g", name, value);
-    else
-        buffer_print(b, ",\"%s\":null", name);
-}
-
-static void write_string(buffer *b, const char *name, const char *text)
-{
-    buffer_print(b, ",\"%s\":\"", name);
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            buffer_print(b, "\\%c", *text);
-        else if ((unsigned char)*text < ' ' || (unsigned char)*text > '~')
-            buffer_print(b, "\\u%04x", (unsigned char)*text);
-        else
-            buffer_append(b, text, 1);
-    }
-    buffer_print(b, "\"");
-}
-
 /* Of the trees of the certificate, and of the uniform method. */
 static void write_levels(buffer *b, const findings *f)
 {
@@ -109,12 +88,12 @@ static void write_levels(buffer *b, const findings *f)
 
 static void write_findings(buffer *b, const findings *f)
 {
-    write_string(b, "eigenvalue", f->eigenvalue);
-    write_number(b, "modulus_lower", f->eigenvalue_lower);
-    write_number(b, "modulus_upper", f->eigenvalue_upper);
-    write_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
+    json_add_string(b, "eigenvalue", f->eigenvalue);
+    json_add_number(b, "modulus_lower", f->eigenvalue_lower);
+    json_add_number(b, "modulus_upper", f->eigenvalue_upper);
+    json_add_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
     buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
-    write_number(b, "jacobian_lower", f->jacobian);
+    json_add_number(b, "jacobian_lower", f->jacobian);
     buffer_print(b, ",\"method\":\"%s\"", f->uniform ? "uniform" : "adaptive");
     write_levels(b, f);
 }
@@ -131,21 +110,21 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
         buffer_print(&b, ",\"kept_before\":true");
     } else if (d->verdict != VERDICT_UNDECIDED) {
         if (d->verdict == VERDICT_REFUTED) {
-            write_string(&b, "reason", d->reason);
-            write_string(&b, "eigenvalue", d->findings.eigenvalue);
+            json_add_string(&b, "reason", d->reason);
+            json_add_string(&b, "eigenvalue", d->findings.eigenvalue);
             buffer_print(&b, ",\"frequency\":%ld", d->frequency);
         }
-        write_string(&b, "system", d->plainly_regular ? "exact" : d->system);
+        json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {
-        write_string(&b, "test", a->test);
-        write_string(&b, "reason", a->reason);
-        write_string(&b, "system", a->system);
+        json_add_string(&b, "test", a->test);
+        json_add_string(&b, "reason", a->reason);
+        json_add_string(&b, "system", a->system);
         buffer_print(&b, ",\"precision\":%ld", a->precision);
     }
-    write_number(&b, "seconds", d->seconds);
+    json_add_number(&b, "seconds", d->seconds);
     if (certificate)
-        write_string(&b, "certificate", certificate);
+        json_add_string(&b, "certificate", certificate);
     buffer_print(&b, "}");
     puts(b.failed ? "{}" : b.bytes);
     buffer_clear(&b);
@@ -156,22 +135,22 @@ void prove_write_log(buffer *b, const decision *d)
     for (int i = 0; i < d->findings.attempt_count; i++) {
         const attempt *a = &d->findings.attempts[i];
         buffer_print(b, "{\"valence\":%ld", d->k.first);
-        write_string(b, "test", a->test);
-        write_string(b, "system", a->system);
+        json_add_string(b, "test", a->test);
+        json_add_string(b, "system", a->system);
         buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
-        write_string(b, "outcome", outcome_name(a->outcome));
-        write_number(b, "bound", a->bound);
+        json_add_string(b, "outcome", outcome_name(a->outcome));
+        json_add_number(b, "bound", a->bound);
         if (!isnan(a->error))
-            write_number(b, "error", a->error);
-        write_number(b, "seconds", a->seconds);
-        write_string(b, "reason", a->reason);
+            json_add_number(b, "error", a->error);
+        json_add_number(b, "seconds", a->seconds);
+        json_add_string(b, "reason", a->reason);
         buffer_print(b, "}\n");
     }
     if (d->findings.uniform) {
         buffer_print(b, "{\"valence\":%ld", d->k.first);
-        write_string(b, "test", "both methods");
+        json_add_string(b, "test", "both methods");
         write_levels(b, &d->findings);
-        write_string(b, "outcome", verdict_name(d->verdict));
+        json_add_string(b, "outcome", verdict_name(d->verdict));
         buffer_print(b, "}\n");
     }
 }
