@@ -14,6 +14,7 @@ typedef struct {
     long grid;              /* approximation and radius are in units of 2^-grid */
     integer *approximation; /* n: the other components in order, then the eigenvalue, then its imaginary part */
     integer radius;         /* of the box in every unknown, > 0 */
+    integer range;          /* of the box for many valences, >= radius; 0: there is only one (lib/eigenpair_affine.h) */
     integer *inverse;       /* n x n preconditioner, row by row, in units of 2^-EIGENPAIR_INVERSE_BITS */
 } eigenpair_choice;
 

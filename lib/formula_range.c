@@ -177,57 +177,31 @@ static status power_of_enclosure(number *z, const formula *base, long n, const c
     return s;
 }
 
-/* A whole number, or one beyond all that are computed. */
-static bool is_whole(long *n, const exact_end *x)
+/* An end of an exponent, or one beyond all that are computed. */
+static bool get_end(long *n, const exact_end *x)
 {
     const integer *value = &x->q.numerator;
     if (x->infinity) {
         *n = x->infinity * (1L << 30);
         return true;
     }
-    if (!rational_is_integer(&x->q) || !integer_fits_si(value) || integer_bits(value) > 62)
+    if (integer_bits(value) > 62)
         return false;
     *n = (long)integer_get_si(value);
     return true;
 }
 
-/* Is f, whose ends are whole, whole everywhere in between?  (m/2 is not.) */
-static status is_whole_everywhere(bool *whole, const formula *f, const formula_region *at)
-{
-    status s = STATUS_OK;
-    *whole = true;
-    if (!(f->depends & formula_region_varies(at))) {
-        exact_range x;
-        long unused;
-        exact_range_init(&x);
-        s = formula_exact_range(&x, whole, f, at) ? STATUS_OK : STATUS_NO_MEMORY;
-        *whole = *whole && !x.is_angle && is_whole(&unused, &x.low);
-        exact_range_clear(&x);
-        return s;
-    }
-    if (f->kind == FORMULA_REFERENCE)
-        return is_whole_everywhere(whole, f->definition, at);
-    if (f->kind == FORMULA_VARIABLE)
-        return s;
-    *whole = f->kind == FORMULA_NEGATE || (f->kind == FORMULA_BINARY && f->op != '/');
-    for (int i = 0; s == STATUS_OK && *whole && i < f->children; i++)
-        s = is_whole_everywhere(whole, f->child[i], at);
-    return s;
-}
-
 static status power(number *z, const formula *f, const context *c)
 {
     exact_range base, exponent;
-    bool base_known = false, known = false;
+    bool base_known = false, known = false, whole = false;
     long low = 0, high = 0;
     status s = STATUS_OK;
     exact_range_init(&base);
     exact_range_init(&exponent);
-    if (!formula_exact_range(&exponent, &known, f->child[1], c->at) || !formula_exact_range(&base, &base_known, f->child[0], c->at))
+    if (!formula_is_whole(&whole, f->child[1], c->at) || !formula_exact_range(&exponent, &known, f->child[1], c->at) || !formula_exact_range(&base, &base_known, f->child[0], c->at))
         s = STATUS_NO_MEMORY;
-    known = known && !exponent.is_angle && is_whole(&low, &exponent.low) && is_whole(&high, &exponent.high);
-    if (s == STATUS_OK && known)
-        s = is_whole_everywhere(&known, f->child[1], c->at);
+    known = known && whole && get_end(&low, &exponent.low) && get_end(&high, &exponent.high);
     base_known = base_known && !base.is_angle && !(f->child[0]->depends & formula_region_varies(c->at)) && rational_sign(&base.low.q) > 0;
     if (s == STATUS_OK) {
         if (known && base_known)

@@ -304,6 +304,8 @@ static outcome search(run *r, element_type type, int level)
         return OUTCOME_NO_MEMORY;
     if (o == OUTCOME_TRUE)
         return leaf(r, margin);
+    if (r->task->max_elements && r->report->examined >= r->task->max_elements)
+        return OUTCOME_UNDEFINED;
     return level < r->task->max_level ? split(r, type, level) : OUTCOME_UNDEFINED;
 }
 

@@ -33,6 +33,7 @@ outcome analysis_search_grid(findings *f, choices *c, analysis_plan *p, long pre
 /* The same for several valences (verify/certificate-valences.md). */
 outcome analysis_search_affine_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_search_affine_ball(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_search_affine_grid(findings *f, choices *c, analysis_plan *p, long prec);
 
 /* The search at one rung of the ladder, precision 0 being hardware intervals; sets c->grid. */
 static inline outcome analysis_search(findings *f, choices *c, analysis_plan *p, long precision)
@@ -46,6 +47,8 @@ static inline outcome analysis_search(findings *f, choices *c, analysis_plan *p,
 outcome analysis_replay_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_ball(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_grid(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_replay_affine_interval(findings *f, choices *c, analysis_plan *p, long prec);
+outcome analysis_replay_affine_ball(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_affine_grid(findings *f, choices *c, analysis_plan *p, long prec);
 
 #endif

@@ -1,6 +1,8 @@
 /* classification.c: ranges with the same answer, grouped by what it is. */
 #include "classification.h"
 
+#include "valence_range.h"
+
 #include "../lib/growing.h"
 
 #include <stdlib.h>
@@ -46,16 +48,6 @@ static void print_reason(buffer *text, const classification_part *x)
         buffer_print(text, " 0");
 }
 
-static void print_range(buffer *text, valence_range k)
-{
-    if (is_one_valence(k))
-        buffer_print(text, "%ld", k.first);
-    else if (k.last == VALENCES_UNBOUNDED)
-        buffer_print(text, "%ld..inf", k.first);
-    else
-        buffer_print(text, "%ld..%ld", k.first, k.last);
-}
-
 void classification_print(buffer *text, const classification *z)
 {
     static const struct {
@@ -67,13 +59,15 @@ void classification_print(buffer *text, const classification *z)
         bool first = true;
         for (size_t i = 0; i < z->count; i++) {
             const classification_part *x = &z->part[i];
+            char range[VALENCE_RANGE_TEXT];
             if (x->verdict != groups[g].verdict)
                 continue;
             if (first)
                 buffer_print(text, "%s%s: ", first_group ? "" : "; ", groups[g].words);
             else
                 buffer_print(text, ", ");
-            print_range(text, x->k);
+            valence_range_print(range, x->k);
+            buffer_print(text, "%s", range);
             if (x->verdict == VERDICT_REFUTED) {
                 buffer_print(text, " (");
                 print_reason(text, x);
@@ -92,20 +86,20 @@ static void print_range_json(buffer *text, valence_range k)
         buffer_print(text, "[%ld,%ld]", k.first, k.last);
 }
 
-static void print_group_json(buffer *text, const classification *z, verdict verdict, const char *name)
+static void print_group_json(buffer *text, const classification *z, verdict which, const char *name)
 {
     const char *comma = "";
     buffer_print(text, "\"%s\":[", name);
     for (size_t i = 0; i < z->count; i++) {
         const classification_part *x = &z->part[i];
-        if (x->verdict != verdict)
+        if (x->verdict != which)
             continue;
         buffer_print(text, "%s", comma);
         comma = ",";
-        if (verdict == VERDICT_REFUTED)
+        if (which == VERDICT_REFUTED)
             buffer_print(text, "{\"valences\":");
         print_range_json(text, x->k);
-        if (verdict == VERDICT_REFUTED) {
+        if (which == VERDICT_REFUTED) {
             buffer_print(text, ",\"reason\":\"");
             print_reason(text, x);
             buffer_print(text, "\"}");

@@ -62,7 +62,12 @@ VERIFY_AFFINE_SOURCES = \
   verify/tests.h \
   verify/regularity_test.c \
   verify/injectivity_test.c \
-  verify/zero_free_test.c
+  verify/zero_free_test.c \
+  verify/fold_test.c \
+  verify/regular_complex_test.c \
+  verify/range_eigenpair_test.c \
+  verify/range_spectrum_test.c \
+  verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
 AFFINE_SOURCES += $(VERIFY_AFFINE_SOURCES)
