@@ -210,7 +210,7 @@ static truth is_inside(const workspace *w, const number *radius)
     return inside;
 }
 
-truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec)
+static truth prove(number *box, const eigenpair_choice *choice, const integer *size, const number *b, long prec)
 {
     workspace w;
     number radius;
@@ -220,7 +220,7 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
     number_init(&radius);
     if (workspace_make(&w, b, choice->n, choice->complex_form, choice->pivot)) {
         load(&w, choice, prec);
-        number_set_integer_2exp(&radius, &choice->radius, -choice->grid, prec);
+        number_set_integer_2exp(&radius, size, -choice->grid, prec);
         make_box(box, &w, &radius, prec);
         evaluate(&w, w.approximation, prec);
         differentiate(&w, box, prec);
@@ -230,6 +230,16 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
     workspace_free(&w);
     number_clear(&radius);
     return proved;
+}
+
+truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec)
+{
+    return prove(box, choice, &choice->radius, b, prec);
+}
+
+truth eigenpair_prove_range(number *box, const eigenpair_choice *choice, const number *b, long prec)
+{
+    return prove(box, choice, &choice->range, b, prec);
 }
 
 /* ---- the search ---- */
@@ -382,6 +392,67 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex
     workspace_free(&w);
     free(work);
     return found;
+}
+
+/* ---- the search for a range ---- */
+
+/* At least the largest component of -Y F at the approximation, in units of the choice's grid. */
+static bool first_range(eigenpair_choice *z, const number *b, long prec)
+{
+    workspace w;
+    number size, largest, zero;
+    bool ok = false;
+    number_init(&size);
+    number_init(&largest);
+    number_init(&zero);
+    if (workspace_make(&w, b, z->n, z->complex_form, z->pivot)) {
+        load(&w, z, prec);
+        evaluate(&w, w.approximation, prec);
+        krawczyk(&w, &zero, prec);
+        for (int l = 0; l < w.n; l++) {
+            number_magnitude_upper(&size, &w.image[l], prec);
+            number_max(&largest, &largest, &size, prec);
+        }
+        ok = number_upper_grid(&z->range, &largest, z->grid);
+    }
+    workspace_free(&w);
+    number_clear(&size);
+    number_clear(&largest);
+    number_clear(&zero);
+    return ok;
+}
+
+/* x = (1 + 2^-bits) x, rounded upward. */
+static bool enlarge(integer *x, unsigned long bits)
+{
+    integer part;
+    bool ok;
+    integer_init(&part);
+    ok = integer_cdiv_2exp(&part, x, bits) && integer_add(x, x, &part);
+    integer_clear(&part);
+    return ok;
+}
+
+/* In steps of a quarter from the least that is possible, and an eighth more, so that rounding differently costs nothing.
+   (Before the range is below 1 it has been tried about 4 grid times, but a hopeless matrix takes it there sooner.) */
+truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
+{
+    number *box = number_array_new(eigenpair_box_size(z->n, z->complex_form));
+    truth proved = all_are_finite(b, (size_t)z->n * (size_t)z->n);
+    if (!box || (proved == TRUTH_TRUE && !first_range(z, b, prec)))
+        proved = TRUTH_FALSE;
+    if (proved == TRUTH_TRUE) {
+        proved = TRUTH_UNKNOWN;
+        if (integer_cmp(&z->range, &z->radius) < 0 && !integer_set(&z->range, &z->radius))
+            proved = TRUTH_FALSE;
+    }
+    while (proved == TRUTH_UNKNOWN && (long)integer_bits(&z->range) < z->grid) {
+        proved = enlarge(&z->range, 3) ? eigenpair_prove_range(box, z, b, prec) : TRUTH_FALSE;
+        if (proved != TRUTH_FALSE && !enlarge(&z->range, 3))
+            proved = TRUTH_FALSE;
+    }
+    free_numbers(box, eigenpair_box_size(z->n, z->complex_form));
+    return proved;
 }
 
 void eigenpair_modulus(number *z, const number *box, int n, bool complex_form, long prec)

@@ -47,6 +47,7 @@ LIB_GENERIC_SOURCES = \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
+  lib/eigenpair_affine.h lib/eigenpair_affine.c \
   lib/monotone.h lib/monotone.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c

@@ -90,6 +90,7 @@ GENERIC_TESTS = \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
+  tests/lib/t-eigenpair_affine \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
   tests/lib/t-ring \
