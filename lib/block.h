@@ -3,7 +3,7 @@
 #ifndef LIB_BLOCK_H
 #define LIB_BLOCK_H
 
-#include "step.h"
+#include "subdivision.h"
 
 #define block_make NUMBER_NAME(block_make)
 #define block_make_range NUMBER_NAME(block_make_range)

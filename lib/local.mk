@@ -37,6 +37,7 @@ LIB_GENERIC_SOURCES = \
   lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
   lib/cover.h lib/cover.c \
@@ -53,6 +54,7 @@ LIB_JET_SOURCES = \
   lib/formula_range.h \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/block_slope.h lib/block_slope.c
 
