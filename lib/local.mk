@@ -26,6 +26,7 @@ LIB_SOURCES = \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
+  lib/components.h lib/components.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
   lib/monotone_list.h lib/monotone_list.c
@@ -42,6 +43,7 @@ LIB_GENERIC_SOURCES = \
   lib/spectrum.h lib/spectrum.c \
   lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
+  lib/eigenbasis.h lib/eigenbasis.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
@@ -90,5 +92,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/eigenvalues.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

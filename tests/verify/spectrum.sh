@@ -62,7 +62,7 @@ for k in 1000000000 1000000000000000; do
   says "catmull-clark-$k" 'in block 1, simple' catmull-clark --valence $k
   says "modified-butterfly-$k" 'runner-up: mu < 0.250000001' modified-butterfly --valence $k
 done
-says modified-loop 'dominant: L = 0.5000' modified-loop --valence 1000000000
+says modified-loop 'dominant: L = 0.5 in block 1, simple' modified-loop --valence 1000000000
 says complex 'modulus > 0.53851648 in block 1, simple' loop-spiral --valence 1000000000
 says balls 'balls of 256 bits' loop --valence 1000000000 --precision 256
 says balls-dominant 'in block 1, simple' loop --valence 1000000000 --precision 256
