@@ -1,6 +1,8 @@
 /* block.c: unknowns, the nets they stand for, and the matrix, column by column. */
 #include "block.h"
 
+#include "stop.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,7 +110,8 @@ static block_status fill(block *z, sector_net *net, number *unit, const number *
 {
     subdivision once;
     subdivide_status s = subdivision_make(&once, numbers, net->regular, net->rings, z->rings);
-    for (int j = 0; s == SUBDIVIDE_OK && j < z->n; j++) {
+    bool stopped = false;
+    for (int j = 0; s == SUBDIVIDE_OK && !stopped && j < z->n; j++) {
         sector_net image;
         for (int i = 0; i < z->n; i++)
             number_set_si(&unit[i], i == j, numbers->prec);
@@ -117,9 +120,10 @@ static block_status fill(block *z, sector_net *net, number *unit, const number *
         if (s == SUBDIVIDE_OK)
             read_column(z, j, &image);
         sector_net_free(&image);
+        stopped = stop_now();
     }
     subdivision_free(&once);
-    return block_from_subdivide(s);
+    return stopped ? BLOCK_STOPPED : block_from_subdivide(s);
 }
 
 /* u = NULL: as the frequencies say. */

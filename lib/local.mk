@@ -3,6 +3,7 @@
 LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/growing.h \
+  lib/stop.h lib/stop.c \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \

@@ -177,6 +177,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
+    stop_sign before = stop_watch(deadline_sign(&l->deadline));
     choices c;
     choices_init(&c);
     z->valence = valence;
@@ -186,5 +187,6 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
     else
         z->outcome = escalate(z, &c, &plan, l);
     choices_clear(&c);
+    stop_watch(before);
     z->seconds = deadline_now() - start;
 }
