@@ -34,6 +34,8 @@ typedef struct {
     frequencies m;
     long prec;
     int rings;     /* scheme_closed_rings */
+    bool any_mask; /* where the valence is plainly regular, any mask may give the centre its value, as lib/scheme.md says;
+                      else it must keep it, which is all that certificates know of (verify/certificate.md, section 5) */
     step_numbers steps[SCHEME_MAX_STEPS];
 } scheme_numbers;
 

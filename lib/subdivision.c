@@ -54,8 +54,45 @@ static subdivide_status add_mask_terms(step_stencils *z, const sector_net *old_n
     return s;
 }
 
+/* Without a rule the centre keeps its value, if the mask says so and nothing else. */
+static bool mask_keeps_centre(const laurent *mask, int dilation)
+{
+    for (long a = mask->a0; a < mask->a0 + mask->na; a++)
+        for (long b = mask->b0; b < mask->b0 + mask->nb; b++)
+            if (a % dilation == 0 && b % dilation == 0 && (a || b) && !laurent_is_zero_at(mask, a, b))
+                return false;
+    return true;
+}
+
+static bool no_rule_holds(const scheme_numbers *numbers)
+{
+    for (int i = 0; i < numbers->scheme->step_count; i++)
+        if (numbers->steps[i].rule_count)
+            return false;
+    return true;
+}
+
+/* At the centre of plain nets: has_centre stays false if neither a rule nor the mask says what it becomes. */
+static subdivide_status make_centre(step_stencils *z, const sector_net *old_net, const scheme_numbers *numbers, const scheme_step *step, const step_numbers *n)
+{
+    subdivide_status s = SUBDIVIDE_OK;
+    z->centre = (point_stencil){CENTRE_INDEX, find_rule(n, true, 0, 0), z->terms, 0};
+    z->has_centre = z->centre.rule != NULL;
+    if (z->to == MESH_DUAL || z->has_centre)
+        return s;
+    z->has_centre = true;
+    if (z->from != MESH_DUAL && mask_keeps_centre(&step->mask, step->dilation))
+        s = add_term(z, old_net, mask_numbers_at(&n->mask, 0, 0), 0, 0);
+    else if (numbers->any_mask && old_net->regular && no_rule_holds(numbers))
+        s = add_mask_terms(z, old_net, &n->mask, step->dilation, 0, 0);
+    else
+        z->has_centre = false;
+    z->centre.count = z->terms - z->centre.first;
+    return s;
+}
+
 /* new_net and old_net say how many rings there are, and have no values. */
-static subdivide_status make_stencils(step_stencils *z, const sector_net *new_net, const sector_net *old_net, const scheme_step *step, const step_numbers *n)
+static subdivide_status make_stencils(step_stencils *z, const sector_net *new_net, const sector_net *old_net, const scheme_numbers *numbers, const scheme_step *step, const step_numbers *n)
 {
     subdivide_status s = SUBDIVIDE_OK;
     z->from = step->from;
@@ -75,7 +112,7 @@ static subdivide_status make_stencils(step_stencils *z, const sector_net *new_ne
             p->count = z->terms - p->first;
             z->points++;
         }
-    return s;
+    return s == SUBDIVIDE_OK ? make_centre(z, old_net, numbers, step, n) : s;
 }
 
 /* The rings that each step must produce, so that the last has `rings`. */
@@ -99,7 +136,7 @@ subdivide_status subdivision_make(subdivision *z, const scheme_numbers *numbers,
     plan_rings(rings_after, s, rings);
     for (int i = 0; result == SUBDIVIDE_OK && i < s->step_count; i++) {
         sector_net to = {.regular = regular, .rings = rings_after[i]};
-        result = make_stencils(&z->step[i], &to, &from, &s->steps[i], &numbers->steps[i]);
+        result = make_stencils(&z->step[i], &to, &from, numbers, &s->steps[i], &numbers->steps[i]);
         from = to;
     }
     return result;
@@ -139,34 +176,6 @@ static sector_status apply_rule(number *x, number *y, const rule_numbers *r, con
     return s;
 }
 
-/* Without a rule the centre keeps its value, if the mask says so and nothing else. */
-static bool mask_keeps_centre(const laurent *mask, int dilation)
-{
-    for (long a = mask->a0; a < mask->a0 + mask->na; a++)
-        for (long b = mask->b0; b < mask->b0 + mask->nb; b++)
-            if (a % dilation == 0 && b % dilation == 0 && (a || b) && !laurent_is_zero_at(mask, a, b))
-                return false;
-    return true;
-}
-
-static subdivide_status apply_to_centre(sector_net *new_net, const sector_net *old_net, const scheme_step *step, const step_numbers *n, long prec)
-{
-    const rule_numbers *r = find_rule(n, true, 0, 0);
-    number unused;
-    sector_status s = SECTOR_OK;
-    if (step->to == MESH_DUAL || new_net->twist)
-        return SUBDIVIDE_OK; /* no centre, or 0 there */
-    number_init(&unused);
-    if (r)
-        s = apply_rule(&new_net->centre, &unused, r, old_net, prec);
-    else if (step->from != MESH_DUAL && mask_keeps_centre(&step->mask, step->dilation))
-        number_mul(&new_net->centre, mask_numbers_at(&n->mask, 0, 0), &old_net->centre, prec);
-    else
-        return SUBDIVIDE_NO_CENTRE_RULE;
-    number_clear(&unused);
-    return s == SECTOR_OK ? SUBDIVIDE_OK : SUBDIVIDE_OPPOSITE;
-}
-
 /* Of unit nets most values are 0, which need not be multiplied. */
 static void apply_terms(number *x, number *y, const step_stencils *s, const point_stencil *p, const sector_net *old_net, long prec)
 {
@@ -197,21 +206,36 @@ static void apply_terms(number *x, number *y, const step_stencils *s, const poin
     number_clear(&turned[1]);
 }
 
-static subdivide_status apply_step(sector_net *new_net, const sector_net *old_net, const subdivision *z, int i)
+static subdivide_status apply_to_point(number *x, number *y, const step_stencils *s, const point_stencil *p, const sector_net *old_net, long prec)
 {
-    const step_stencils *s = &z->step[i];
-    long prec = z->numbers->prec;
-    for (int j = 0; j < s->points; j++) {
-        const point_stencil *p = &s->point[j];
-        number *x = &new_net->x[p->at], *y = &new_net->y[p->at];
-        if (!p->rule)
-            apply_terms(x, y, s, p, old_net, prec);
-        else if (apply_rule(x, y, p->rule, old_net, prec) != SECTOR_OK)
-            return SUBDIVIDE_OPPOSITE;
-        if (number_lacks_memory(x) || number_lacks_memory(y))
-            return SUBDIVIDE_NO_MEMORY;
-    }
-    return apply_to_centre(new_net, old_net, &z->numbers->scheme->steps[i], &z->numbers->steps[i], prec);
+    if (!p->rule)
+        apply_terms(x, y, s, p, old_net, prec);
+    else if (apply_rule(x, y, p->rule, old_net, prec) != SECTOR_OK)
+        return SUBDIVIDE_OPPOSITE;
+    return number_lacks_memory(x) || number_lacks_memory(y) ? SUBDIVIDE_NO_MEMORY : SUBDIVIDE_OK;
+}
+
+/* There is no centre, or 0 there, or it has a value. */
+static subdivide_status apply_to_centre(sector_net *new_net, const sector_net *old_net, const step_stencils *s, long prec)
+{
+    number unused;
+    subdivide_status result;
+    if (s->to == MESH_DUAL || new_net->twist)
+        return SUBDIVIDE_OK;
+    if (!s->has_centre)
+        return SUBDIVIDE_NO_CENTRE_RULE;
+    number_init(&unused);
+    result = apply_to_point(&new_net->centre, &unused, s, &s->centre, old_net, prec);
+    number_clear(&unused);
+    return result;
+}
+
+static subdivide_status apply_step(sector_net *new_net, const sector_net *old_net, const step_stencils *s, long prec)
+{
+    subdivide_status result = SUBDIVIDE_OK;
+    for (int i = 0; result == SUBDIVIDE_OK && i < s->points; i++)
+        result = apply_to_point(&new_net->x[s->point[i].at], &new_net->y[s->point[i].at], s, &s->point[i], old_net, prec);
+    return result == SUBDIVIDE_OK ? apply_to_centre(new_net, old_net, s, prec) : result;
 }
 
 subdivide_status subdivision_apply(sector_net *new_net, const sector_net *old_net, const subdivision *z)
@@ -228,7 +252,7 @@ subdivide_status subdivision_apply(sector_net *new_net, const sector_net *old_ne
         if (!sector_net_make(to, z->step[i].to, z->regular, z->step[i].rings, old_net->twist))
             result = SUBDIVIDE_NO_MEMORY;
         else
-            result = apply_step(to, from, z, i);
+            result = apply_step(to, from, &z->step[i], z->numbers->prec);
     }
     sector_net_free(&between[0]);
     sector_net_free(&between[1]);

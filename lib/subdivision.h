@@ -24,7 +24,7 @@ enum { CENTRE_INDEX = -1 };
 
 /* One new point: by a rule, or by terms of the mask. */
 typedef struct {
-    int at;
+    int at; /* or CENTRE_INDEX */
     const rule_numbers *rule; /* NULL: the mask */
     size_t first, count;      /* of its terms */
 } point_stencil;
@@ -34,6 +34,8 @@ typedef struct {
     int rings; /* of the new net */
     point_stencil *point;
     int points;
+    bool has_centre; /* by this: */
+    point_stencil centre;
     mask_term *term;
     size_t terms, capacity;
 } step_stencils;

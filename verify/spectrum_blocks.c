@@ -136,6 +136,7 @@ status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long p
 {
     scheme_numbers numbers;
     status result = scheme_numbers_make(&numbers, s, k, prec, d);
+    numbers.any_mask = true;
     for (long m = 0; result == STATUS_OK && m <= k / 2; m++)
         result = spectrum_list_block(z, &numbers, m, digits, d);
     scheme_numbers_free(&numbers);
