@@ -3,6 +3,7 @@
 LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/growing.h \
+  lib/stop.h lib/stop.c \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
@@ -28,6 +29,7 @@ LIB_SOURCES = \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
+  lib/components.h lib/components.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
   lib/monotone_list.h lib/monotone_list.c \
@@ -40,10 +42,12 @@ LIB_GENERIC_SOURCES = \
   lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
   lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
+  lib/eigenbasis.h lib/eigenbasis.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
@@ -57,6 +61,7 @@ LIB_JET_SOURCES = \
   lib/formula_range.h \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/block_slope.h lib/block_slope.c
 
@@ -103,5 +108,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/eigenvalues.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

@@ -25,6 +25,8 @@ outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d)
         return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
     case BLOCK_NO_CENTRE_RULE:
         return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+    case BLOCK_STOPPED:
+        return findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
     case BLOCK_BAD_INPUT:
         return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
     default:
@@ -183,6 +185,8 @@ static outcome run_test(analysis *a, const analysis_test *t)
     attempt *log = findings_begin(a->findings, t->words, t->name == TEST_REGULAR_COMPLEX && !a->replay ? "exact" : a->plan->system,
                                   t->name == TEST_REGULAR_COMPLEX && !a->replay ? 0 : a->prec);
     outcome o = t->run(a);
+    if ((o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED || o == OUTCOME_FAIL) && stop_now())
+        o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
     log->outcome = o;
     log->seconds = deadline_now() - start;
     if (o == OUTCOME_UNDEFINED && a->plan->uniform && !a->replay && a->plan->found[TEST_UNIFORM])

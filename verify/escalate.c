@@ -191,6 +191,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
+    stop_sign before = stop_watch(deadline_sign(&l->deadline));
     choices c;
     if (decide_by_certificate(z, p, one_valence(valence), earlier, l))
         return;
@@ -212,5 +213,6 @@ void decide_range(decision *z, const problem *p, valence_range k, const limits *
     set_rung(z, &plan, l, precision);
     z->outcome = try_to_prove(z, &c, &plan, precision);
     choices_clear(&c);
+    stop_watch(before);
     z->seconds = deadline_now() - start;
 }
