@@ -448,7 +448,7 @@ lie_1 set-twice 2 'twice' butterfly-5-other butterfly 5 '' --set w=1/20 --set w=
 lie_1 set-comment 2 'one line' butterfly-5-other butterfly 5 '' --set 'w=1/20#'
 lie_1 set-in-the-certificate-only 1 'scheme' butterfly-5 butterfly 5 's,^parameter w = .*,parameter w = 1/20,'
 lie_1 set-in-both 1 'Krawczyk' butterfly-5 butterfly 5 's,^parameter w = .*,parameter w = 1/20,
-s/^stability .*/stability 7 3000 7 3000 7 3000/' --set w=1/20
+s/^stability .*/stability 6 3000 7 3000 7 3000/' --set w=1/20
 
 # The command line
 
