@@ -103,6 +103,7 @@ SCRIPT_TESTS = \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
+  tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
@@ -122,6 +123,7 @@ EXTRA_DIST += \
   tests/certificates/accept \
   tests/certificates/accept-1 \
   tests/certificates/reject \
+  tests/certificates/reject-1 \
   tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
