@@ -20,7 +20,7 @@ void archive_name(char name[ARCHIVE_NAME_MAX], valence_range k, const char *suff
 
 static valence_range valences_of(const decision *d)
 {
-    return valence_only(d->valence);
+    return one_valence(d->valence);
 }
 
 /* Is this what was finished under that name? */

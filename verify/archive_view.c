@@ -79,7 +79,7 @@ size_t archive_view_list(buffer *text, const archive_view *z, verdict v)
             continue;
         if (count++ == 0)
             together = next;
-        if (together.last < VALENCE_INFINITY && next.first > together.last + 1) {
+        if (together.last < VALENCES_UNBOUNDED && next.first > together.last + 1) {
             print_range(text, together, first);
             first = false;
             together = next;

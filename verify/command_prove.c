@@ -212,7 +212,7 @@ static void *decide(long i, void *data)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    a->earlier = archive_read(&r->archive, &earlier, valence_only(valences_get(&r->valences, i)));
+    a->earlier = archive_read(&r->archive, &earlier, one_valence(valences_get(&r->valences, i)));
     decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
     return a;

@@ -11,7 +11,7 @@ int valence_range_compare(valence_range a, valence_range b)
 
 void valence_range_print(char text[VALENCE_RANGE_TEXT], valence_range r)
 {
-    if (r.last == VALENCE_INFINITY)
+    if (r.last == VALENCES_UNBOUNDED)
         snprintf(text, VALENCE_RANGE_TEXT, "%ld..inf", r.first);
     else if (r.last > r.first)
         snprintf(text, VALENCE_RANGE_TEXT, "%ld..%ld", r.first, r.last);
@@ -19,14 +19,14 @@ void valence_range_print(char text[VALENCE_RANGE_TEXT], valence_range r)
         snprintf(text, VALENCE_RANGE_TEXT, "%ld", r.first);
 }
 
-/* A decimal number > 0 without leading zeros that is below VALENCE_INFINITY; NULL: there is none. */
+/* A decimal number > 0 without leading zeros that is below VALENCES_UNBOUNDED; NULL: there is none. */
 static const char *read_number(long *value, const char *p)
 {
     if (*p < '1' || *p > '9')
         return NULL;
     for (*value = 0; *p >= '0' && *p <= '9'; p++) {
         int digit = *p - '0';
-        if (*value > (VALENCE_INFINITY - 1 - digit) / 10)
+        if (*value > (VALENCES_UNBOUNDED - 1 - digit) / 10)
             return NULL;
         *value = 10 * *value + digit;
     }
@@ -40,7 +40,7 @@ const char *valence_range_read(valence_range *r, const char *text)
     if (!p || strncmp(p, "..", 2))
         return p;
     if (!strncmp(p + 2, "inf", 3)) {
-        r->last = VALENCE_INFINITY;
+        r->last = VALENCES_UNBOUNDED;
         return p + 5;
     }
     p = read_number(&r->last, p + 2);

@@ -1,20 +1,12 @@
-/* valence_range.h: what one piece of evidence speaks of: one valence, or all of a range that may have no end. */
+/* valence_range.h: what one piece of evidence speaks of: one valence, or all of a range that may have no end (VALENCES_UNBOUNDED). */
 #ifndef VERIFY_VALENCE_RANGE_H
 #define VERIFY_VALENCE_RANGE_H
 
-#include <limits.h>
-#include <stdbool.h>
-
-#define VALENCE_INFINITY LONG_MAX
-
-typedef struct {
-    long first, last; /* both belong to it; last = VALENCE_INFINITY: it has no end */
-} valence_range;
+#include "../lib/exact_range.h"
 
 /* Room for any of them as text. */
 enum { VALENCE_RANGE_TEXT = 48 };
 
-static inline valence_range valence_only(long k) { return (valence_range){k, k}; }
 static inline bool valence_range_equal(valence_range a, valence_range b) { return a.first == b.first && a.last == b.last; }
 static inline bool valence_range_overlap(valence_range a, valence_range b) { return a.first <= b.last && b.first <= a.last; }
 static inline bool valence_range_contains(valence_range a, valence_range b) { return a.first <= b.first && b.last <= a.last; }

@@ -2,6 +2,7 @@
 #ifndef VERIFY_VALENCES_H
 #define VERIFY_VALENCES_H
 
+#include "../lib/exact_range.h"
 #include "choices.h"
 #include "valence_range.h"
 

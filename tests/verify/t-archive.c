@@ -29,14 +29,14 @@ static void test_ranges(void)
     test_begin("archive-ranges");
     check_range("7", 7, 7);
     check_range("8..20", 8, 20);
-    check_range("21..inf", 21, VALENCE_INFINITY);
-    check_range("9223372036854775806", VALENCE_INFINITY - 1, VALENCE_INFINITY - 1);
+    check_range("21..inf", 21, VALENCES_UNBOUNDED);
+    check_range("9223372036854775806", VALENCES_UNBOUNDED - 1, VALENCES_UNBOUNDED - 1);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         valence_range r;
         CHECK(!valence_range_read(&r, bad[i]), "'%s' is read", bad[i]);
     }
-    CHECK(valence_range_overlap((valence_range){3, 7}, (valence_range){7, VALENCE_INFINITY}), "3..7 and 7..inf do not overlap");
-    CHECK(!valence_range_overlap((valence_range){3, 7}, (valence_range){8, VALENCE_INFINITY}), "3..7 and 8..inf overlap");
+    CHECK(valence_range_overlap((valence_range){3, 7}, (valence_range){7, VALENCES_UNBOUNDED}), "3..7 and 7..inf do not overlap");
+    CHECK(!valence_range_overlap((valence_range){3, 7}, (valence_range){8, VALENCES_UNBOUNDED}), "3..7 and 8..inf overlap");
     test_end();
 }
 
@@ -119,7 +119,7 @@ static void test_contradictions(void)
         bool expected = false, found;
         for (long first = 3, count = 0; count < 6; count++, first += random_range(0, 2)) {
             memset(&entry[z.count], 0, sizeof *entry);
-            entry[z.count].valences = (valence_range){first, random_below(16) == 0 ? VALENCE_INFINITY : first + random_range(0, 3)};
+            entry[z.count].valences = (valence_range){first, random_below(16) == 0 ? VALENCES_UNBOUNDED : first + random_range(0, 3)};
             entry[z.count++].verdict = (verdict)random_below(3);
         }
         for (size_t i = 0; i < z.count; i++)
