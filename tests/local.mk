@@ -52,6 +52,7 @@ VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
   tests/verify/t-valence_list \
+  tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
   tests/verify/t-prove \
@@ -60,6 +61,7 @@ VERIFY_TESTS = \
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
+tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
@@ -111,7 +113,10 @@ SCRIPT_TESTS = \
   tests/verify/cli.sh \
   tests/verify/archive.sh \
   tests/verify/regular.sh \
-  tests/verify/spectrum.sh
+  tests/verify/spectrum.sh \
+  tests/faults/durability.sh \
+  tests/faults/kill.sh \
+  tests/faults/failing.sh
 
 # Files that tests read.
 EXTRA_DIST += \
@@ -130,6 +135,15 @@ ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERI
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
   $(CHECK_TESTS) $(SCRIPT_TESTS)
+
+# What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
+check_PROGRAMS += tests/faults/crash
+tests_faults_crash_LDADD =
+PRELOADED = tests/faults/preload.so
+EXTRA_DIST += tests/faults/preload.c tests/faults/common.sh
+CLEANFILES += $(PRELOADED)
+$(PRELOADED): tests/faults/preload.c
+	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
 check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
@@ -167,18 +181,24 @@ tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local: $(ALL_GENERIC_TESTS)
+check-local: $(ALL_GENERIC_TESTS) $(PRELOADED)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
-	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS)
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(PRELOADED)
 
 # Random tests for longer: each test draws until its time is up.
 SECONDS_PER_TEST = 60
 check-long: check-programs
 	@SECONDS_PER_TEST=$(SECONDS_PER_TEST) TEST_TIMEOUT=0 $(RUN_TESTS)
+
+# All faults: every allocation fails in turn, and many more kills. Some minutes.
+.PHONY: check-faults
+check-faults: check-programs
+	@FAULTS_KILLS=1000 FAULTS_SEED=$$$$ FAULTS_MALLOCS=1 FAULTS_EVERY=3 TEST_TIMEOUT=0 SRCDIR=$(srcdir) BUILDDIR=. \
+	  $(SHELL) $(srcdir)/tests/run-tests --only faults $(ALL_TESTS)
 
 # Does every rounding constant of bigfloat/ matter to some test? Some minutes.
 MUTATIONS = tests/bigfloat/mutations tests/bigfloat/mutations-directed

@@ -125,21 +125,19 @@ static bool add_run(archive *z, const buffer *run)
     return ok;
 }
 
-/* Reads the journal; makes a new one, of what could be read, if there is none or if its end was cut off. */
-static bool prepare_journal(archive *z)
+/* A journal whose end was cut off is replaced by one of what could be read. */
+static bool mend_journal(archive *z)
 {
     buffer text;
     bool ok;
-    if (!archive_read_journal(&z->finished, z->path))
-        return false;
-    if (z->finished.tidy && z->finished.count)
+    if (z->finished.tidy)
         return true;
     buffer_init(&text);
     for (size_t i = 0; i < z->finished.count; i++)
         buffer_print(&text, "%s  %s\n", z->finished.line[i].digest, z->finished.line[i].name);
     if (text.failed)
         errno = ENOMEM;
-    ok = !text.failed && durable_group_add(&z->group, ARCHIVE_JOURNAL, text.bytes ? text.bytes : "", text.length, 0666);
+    ok = !text.failed && durable_store(z->path, ARCHIVE_JOURNAL, text.bytes ? text.bytes : "", text.length, 0666);
     buffer_clear(&text);
     return ok;
 }
@@ -149,7 +147,7 @@ static bool open_journal(archive *z)
     char *path = durable_path(z->path, ARCHIVE_JOURNAL);
     if (!path)
         return false;
-    z->journal_fd = open(path, O_WRONLY | O_APPEND);
+    z->journal_fd = open(path, O_WRONLY | O_CREAT | O_APPEND, 0666);
     free(path);
     return z->journal_fd >= 0;
 }
@@ -157,11 +155,11 @@ static bool open_journal(archive *z)
 /* What the directory says of itself is durable before any certificate is there. */
 static archive_status describe(archive *z, const scheme *s, const buffer *run, bool is_new)
 {
-    bool ok = true;
-    if (is_new)
+    bool ok = mend_journal(z) && open_journal(z);
+    if (ok && is_new)
         ok = durable_group_add(&z->group, ARCHIVE_SCHEME, s->text, s->text_length, 0666);
     ok = ok && durable_group_add(&z->group, ARCHIVE_VERIFY, archive_verify_script, strlen(archive_verify_script), 0777);
-    ok = ok && add_run(z, run) && durable_group_commit(&z->group) && open_journal(z);
+    ok = ok && add_run(z, run) && durable_group_commit(&z->group);
     return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
 }
 
@@ -179,7 +177,7 @@ archive_status archive_open(archive *z, const char *path, const scheme *s, const
     strcpy(z->path, path);
     durable_group_init(&z->group, z->path);
     result = take_lock(z);
-    if (result == ARCHIVE_OK && !(remove_rests(z) && prepare_journal(z)))
+    if (result == ARCHIVE_OK && !(remove_rests(z) && archive_read_journal(&z->finished, z->path)))
         result = ARCHIVE_IO_ERROR;
     if (result == ARCHIVE_OK)
         result = compare_scheme(z, s, &there);

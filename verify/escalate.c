@@ -173,10 +173,15 @@ bool decide_by_certificate(decision *z, const problem *p, valence_range k, const
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline};
+    stop_sign before;
+    bool proved;
     z->k = k;
     if (l->precision || l->uniform || !certificate || !certificate->length)
         return false;
-    if (replay(z, &plan, certificate) != OUTCOME_TRUE) {
+    before = stop_watch(deadline_sign(&l->deadline));
+    proved = replay(z, &plan, certificate) == OUTCOME_TRUE;
+    stop_watch(before);
+    if (!proved) {
         findings_clear(&z->findings);
         return false;
     }
@@ -191,14 +196,16 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
-    stop_sign before = stop_watch(deadline_sign(&l->deadline));
+    stop_sign before;
     choices c;
     if (decide_by_certificate(z, p, one_valence(valence), earlier, l))
         return;
+    before = stop_watch(deadline_sign(&l->deadline));
     choices_init(&c);
     c.k = z->k;
     z->outcome = escalate(z, &c, &plan, l);
     choices_clear(&c);
+    stop_watch(before);
     z->seconds = deadline_now() - start;
 }
 
@@ -207,10 +214,12 @@ void decide_range(decision *z, const problem *p, valence_range k, const limits *
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS};
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
+    stop_sign before;
     choices c;
     choices_init(&c);
     c.k = z->k = k;
     set_rung(z, &plan, l, precision);
+    before = stop_watch(deadline_sign(&l->deadline));
     z->outcome = try_to_prove(z, &c, &plan, precision);
     choices_clear(&c);
     stop_watch(before);

@@ -69,7 +69,12 @@ script() {
   expect mended 0 'is not the one that was finished' prove loop --valence 3..7 --out bad
   for valence in 4 5; do same "mended-$valence" bad/valence-$valence.cert a/valence-$valence.cert; done
   expect mended-verify 0 'bad: loop: 5 certificates hold' archive verify bad
-  rm -rf bad
+  # A certificate that is as good as the one that was finished is another one all the same.
+  "$SMOOTHCERT" prove loop --valence 6 --precision 128 --out other >stdout 2>&1
+  cp other/valence-6.cert bad/
+  expect exchanged 0 'certificate for valence 6 is not the one that was finished' prove loop --valence 6 --out bad
+  same exchanged-mended bad/valence-6.cert a/valence-6.cert
+  rm -rf bad other
 }
 
 # What a run that was killed may leave.
