@@ -95,6 +95,7 @@ GENERIC_TESTS = \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
