@@ -97,6 +97,7 @@ GENERIC_TESTS = \
 SCRIPT_TESTS = \
   tests/bigfloat/installed.sh \
   tests/verify/pages.sh \
+  tests/verify/completion.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
