@@ -54,6 +54,7 @@ VERIFY_TESTS = \
   tests/verify/t-valences \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
@@ -62,6 +63,7 @@ tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
@@ -98,6 +100,7 @@ SCRIPT_TESTS = \
   tests/bigfloat/installed.sh \
   tests/verify/pages.sh \
   tests/verify/completion.sh \
+  tests/verify/report.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \

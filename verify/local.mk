@@ -7,6 +7,7 @@ VERIFY_SOURCES = \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
   verify/choices.h verify/choices.c \
+  verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
   verify/certificate.h verify/certificate.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
@@ -20,7 +21,12 @@ VERIFY_SOURCES = \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
-  verify/spectrum_doubles.h verify/spectrum_doubles.c
+  verify/spectrum_doubles.h verify/spectrum_doubles.c \
+  verify/svg.h verify/svg.c \
+  verify/plot.h verify/plot.c \
+  verify/report.h verify/report_read.c \
+  verify/report_map.c verify/report_curve.c verify/report_spectrum.c verify/report_valences.c \
+  verify/report_page.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \
@@ -41,6 +47,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform.c \
   verify/spectrum_blocks.h verify/spectrum_blocks.c \
   verify/spectrum_survey.c \
+  verify/picture_take.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
@@ -56,6 +63,7 @@ smoothcert_SOURCES = \
   verify/command_spectrum.c \
   verify/command_regular.c \
   verify/command_schemes.c \
+  verify/command_report.c \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 

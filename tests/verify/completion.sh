@@ -52,7 +52,7 @@ exactly parameter _smoothcert "degree=" "$SMOOTHCERT" prove midpoint --set ""
 exactly method _smoothcert "uniform" "$SMOOTHCERT" prove loop --method u
 exactly directory _smoothcert "evidence" "$SMOOTHCERT" prove loop --out ev
 exactly number _smoothcert "" "$SMOOTHCERT" prove loop --valence ""
-exactly help _smoothcert "regular" "$SMOOTHCERT" help re
+exactly help _smoothcert "regular" "$SMOOTHCERT" help regu
 offers check-options _smoothcert_check "--scheme --set --valence --claim --help --version" "$SMOOTHCERT_CHECK" --
 exactly check-claim _smoothcert_check "c1 not-c1" "$SMOOTHCERT_CHECK" --claim ""
 exactly check-file _smoothcert_check "mine.scheme" "$SMOOTHCERT_CHECK" --scheme mi
