@@ -101,6 +101,7 @@ SCRIPT_TESTS = \
   tests/verify/pages.sh \
   tests/verify/completion.sh \
   tests/verify/report.sh \
+  tests/verify/advice.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \

@@ -15,6 +15,7 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
+  verify/advice.h verify/advice.c \
   verify/prove_output.h verify/prove_output.c \
   verify/archive.h verify/archive_internal.h verify/archive.c verify/archive_index.c \
   verify/valences.h verify/valences.c \

@@ -1,6 +1,8 @@
 /* prove_output.c: figures as bounds, sentences as JSON strings. */
 #include "prove_output.h"
 
+#include "advice.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -65,8 +67,10 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
+        char advice[256];
         describe_system(system, sizeof system, a->system, a->precision);
-        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->valence, a->test, a->reason, system);
+        advise(advice, sizeof advice, d);
+        printf("undecided: %s at valence %ld; %s: %s; last tried with %s; %s", name, d->valence, a->test, a->reason, system, advice);
     }
     printf(", %.3g s", d->seconds);
     if (certificate)
@@ -138,8 +142,11 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
         write_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {
+        char advice[256];
+        advise(advice, sizeof advice, d);
         write_string(&b, "test", a->test);
         write_string(&b, "reason", a->reason);
+        write_string(&b, "advice", advice);
         write_string(&b, "system", a->system);
         buffer_print(&b, ",\"precision\":%ld", a->precision);
     }
