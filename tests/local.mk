@@ -55,6 +55,7 @@ VERIFY_TESTS = \
   tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
@@ -64,6 +65,7 @@ tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
 tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
@@ -100,6 +102,11 @@ GENERIC_TESTS = \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
+  tests/verify/pages.sh \
+  tests/verify/completion.sh \
+  tests/verify/report.sh \
+  tests/verify/advice.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \

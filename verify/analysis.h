@@ -9,6 +9,7 @@
 #include "deadline.h"
 #include "findings.h"
 #include "outcome.h"
+#include "picture.h"
 #include "problem.h"
 #include "uniform_bounds.h"
 
@@ -24,6 +25,7 @@ typedef struct {
     const uniform_bounds *uniform; /* not NULL: a search uses the uniform method, and then looks for trees that are no deeper */
     const deadline *deadline;
     const char *system;     /* for the log */
+    picture *picture;       /* NULL, or to be taken once there is an eigenpair, whatever the outcome */
 } analysis_plan;
 
 /* c->claim, frequency, valence and grid are given; a search fills in the rest.  Replays follow what is there. */

@@ -8,6 +8,7 @@ VERIFY_SOURCES = \
   verify/tree.h verify/tree.c \
   verify/valence_range.h verify/valence_range.c \
   verify/choices.h verify/choices.c \
+  verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
   verify/certificate.h verify/certificate.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
@@ -18,6 +19,7 @@ VERIFY_SOURCES = \
   verify/partition.h verify/partition.c \
   verify/classification.h verify/classification.c \
   verify/json.h verify/json.c \
+  verify/advice.h verify/advice.c \
   verify/prove_output.h verify/prove_output.c \
   verify/statement.h verify/statement.c \
   verify/durable.h verify/durable.c \
@@ -33,7 +35,12 @@ VERIFY_SOURCES = \
   verify/keeper.h verify/keeper.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
-  verify/spectrum_doubles.h verify/spectrum_doubles.c
+  verify/spectrum_doubles.h verify/spectrum_doubles.c \
+  verify/svg.h verify/svg.c \
+  verify/plot.h verify/plot.c \
+  verify/report.h verify/report_read.c \
+  verify/report_map.c verify/report_curve.c verify/report_spectrum.c verify/report_valences.c \
+  verify/report_page.c
 
 # Compiled for every kind of number.
 VERIFY_GENERIC_SOURCES = \
@@ -54,6 +61,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform.c \
   verify/spectrum_blocks.h verify/spectrum_blocks.c \
   verify/spectrum_survey.c \
+  verify/picture_take.c \
   verify/analysis.c
 
 # Compiled for affine numbers of every kind, too.
@@ -87,6 +95,7 @@ smoothcert_SOURCES = \
   verify/command_show.c \
   verify/command_rerun.c \
   verify/command_archive.h verify/command_archive.c verify/command_archive_verify.c verify/command_archive_diff.c verify/command_archive_pack.c \
+  verify/command_report.c \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 

@@ -1,6 +1,7 @@
 /* prove_output.c: figures as bounds, sentences as JSON strings. */
 #include "prove_output.h"
 
+#include "advice.h"
 #include "json.h"
 #include "valence_range.h"
 
@@ -77,8 +78,10 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
+        char advice[256];
         describe_system(system, sizeof system, a->system, a->precision);
-        printf("undecided: %s at %s; %s: %s; last tried with %s", name, valences, a->test, a->reason, system);
+        advise(advice, sizeof advice, d);
+        printf("undecided: %s at %s; %s: %s; last tried with %s; %s", name, valences, a->test, a->reason, system, advice);
     }
     printf(", %.3g s", d->seconds);
     if (certificate)
@@ -140,8 +143,11 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
         json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {
+        char advice[256];
+        advise(advice, sizeof advice, d);
         json_add_string(&b, "test", a->test);
         json_add_string(&b, "reason", a->reason);
+        json_add_string(&b, "advice", advice);
         json_add_string(&b, "system", a->system);
         buffer_print(&b, ",\"precision\":%ld", a->precision);
     }

@@ -24,6 +24,8 @@
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
 #define analysis_uniform NUMBER_NAME(analysis_uniform)
+#define adaptive_jacobian NUMBER_NAME(adaptive_jacobian)
+#define picture_take NUMBER_NAME(picture_take)
 
 typedef struct {
     analysis_plan *plan;
@@ -59,6 +61,9 @@ outcome test_injectivity(analysis *a);
 /* The eigenfunction has no zero on the ring's outer curve. */
 outcome test_zero_free(analysis *a);
 
+/* z += J = x1 y2 - y1 x2 of the derivatives (x1, y1), (x2, y2). */
+void adaptive_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec);
+
 /* The eigenfunction is not 0 somewhere on the outer curve. */
 outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
@@ -82,5 +87,9 @@ outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness,
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
    OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */
 outcome analysis_uniform(analysis *a);
+
+/* A picture of the map of the eigenpair in a->box, and of the choices' trees in a replay; OUTCOME_FALSE if no eigenpair is
+   proved.  Nothing can be seen of block 0. */
+outcome picture_take(picture *p, analysis *a);
 
 #endif
