@@ -11,8 +11,9 @@
 
 /* Blocks looked at in one pass over a range. */
 #define PASS 1500
-/* Smaller ones by more than this part of the largest are none. */
+/* Smaller ones by more than this part of the largest are none: doubles of simple eigenvalues, and of multiple ones. */
 #define NEARNESS 1e-6
+#define VAGUE_NEARNESS 1e-2
 /* Of the numbers from which the doubles are taken. */
 #define PRECISION 64
 
@@ -106,8 +107,11 @@ status find(candidates *z, const scheme *s, long k, diagnostic *d)
         first = best - step > 0 ? best - step : 0;
         last = best + step < k / 2 ? best + step : k / 2;
     } while (result == STATUS_OK && step > 1);
-    while (z->count > 1 && !(z->radius[z->count - 1] >= z->radius[0] * (1 - NEARNESS)))
+    while (z->count > 1 && !(z->radius[z->count - 1] >= z->radius[0] * (1 - VAGUE_NEARNESS)))
         z->count--;
+    for (z->near = z->count; z->near > 1 && !(z->radius[z->near - 1] >= z->radius[0] * (1 - NEARNESS)); z->near--)
+        ;
+    z->near = z->near > CANDIDATES_MAX_NEAR ? CANDIDATES_MAX_NEAR : z->near;
     scheme_numbers_free(&numbers);
     return result;
 }

@@ -1,6 +1,7 @@
 /* certificate.c: writing, and reading what was written. */
 #include "certificate.h"
 
+#include "certificate_exact.h"
 #include "sha256.h"
 
 #include <inttypes.h>
@@ -31,20 +32,20 @@ static const char *letters(const tree_word *w)
 
 static void write_evidence(buffer *z, const choices *c)
 {
-    int witnesses = c->claim == CLAIM_NOT_C0 ? 1 : c->claim == CLAIM_FOLD ? 2 : 0;
     if (c->claim == CLAIM_C1) {
         buffer_print(z, "halfplane");
         write_long_hexadecimal(z, c->normal[0]);
         write_long_hexadecimal(z, c->normal[1]);
         buffer_print(z, "\nregularity %s\n", letters(&c->regularity));
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         buffer_print(z, "boundary %s\n", letters(&c->boundary));
-    for (int i = 0; i < witnesses; i++)
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
         buffer_print(z, "witness %d %s\n", c->witness[i].element, c->witness[i].depth ? c->witness[i].path : "-");
 }
 
-static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold"};
+static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold",
+                                      [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one"};
 
 static void write_eigenpair(buffer *z, const choices *c)
 {
@@ -71,8 +72,13 @@ static void write_choices(buffer *z, const choices *c)
         buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
     buffer_print(z, "\n");
     if (c->claim != CLAIM_C1)
-        buffer_print(z, "reason %s\nfrequency %ld\n", reasons[c->claim], c->frequency);
-    write_eigenpair(z, c);
+        buffer_print(z, "reason %s\n", reasons[c->claim]);
+    if (c->claim != CLAIM_C1 && !claim_is_exact(c->claim))
+        buffer_print(z, "frequency %ld\n", c->frequency);
+    if (claim_is_exact(c->claim))
+        certificate_write_exact(z, c);
+    else
+        write_eigenpair(z, c);
     for (size_t i = 0; i < c->blocks.count; i++)
         buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
     write_evidence(z, c);
@@ -208,13 +214,15 @@ static void read_reason(reader *r, choices *c)
 {
     expect(r, "reason");
     c->claim = CLAIM_C1;
-    for (claim_kind k = CLAIM_FREQUENCY; k <= CLAIM_FOLD; k++)
+    for (claim_kind k = CLAIM_FREQUENCY; k < CLAIMS; k++)
         if (comes_next(r, reasons[k]))
             c->claim = k;
     if (c->claim == CLAIM_C1)
         r->failed = true;
     else
         expect(r, reasons[c->claim]);
+    if (claim_is_exact(c->claim))
+        return;
     expect(r, "frequency");
     c->frequency = read_long(r, 10, 0, (c->valence - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
@@ -300,6 +308,13 @@ static void read_blocks(reader *r, choices *c)
     }
 }
 
+static void read_exact(reader *r, choices *c)
+{
+    certificate_status s = r->failed ? CERTIFICATE_MALFORMED : certificate_read_exact(c, &r->at, r->end);
+    r->failed = s != CERTIFICATE_READ;
+    r->no_memory = r->no_memory || s == CERTIFICATE_NO_MEMORY;
+}
+
 static void read_evidence(reader *r, choices *c)
 {
     long normal_limit = 1L << CHOICES_NORMAL_BITS;
@@ -309,12 +324,10 @@ static void read_evidence(reader *r, choices *c)
             c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
         read_tree(r, &c->regularity, "regularity");
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         read_tree(r, &c->boundary, "boundary");
-    if (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[0]);
-    if (c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[1]);
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
+        read_witness(r, &c->witness[i]);
 }
 
 static void read_choices(reader *r, choices *c)
@@ -340,7 +353,7 @@ static void read_choices(reader *r, choices *c)
     }
     if (!c1)
         read_reason(r, c);
-    read_eigenpair(r, c);
+    (claim_is_exact(c->claim) ? read_exact : read_eigenpair)(r, c);
     read_blocks(r, c);
     read_evidence(r, c);
 }

@@ -9,6 +9,7 @@ void choices_init(choices *z)
     z->claim = CLAIM_C1;
     z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
+    exact_choice_init(&z->exact);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);
     tree_init(&z->regularity);
@@ -18,6 +19,7 @@ void choices_init(choices *z)
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
+    exact_choice_clear(&z->exact);
     integer_clear(&z->modulus);
     cover_list_clear(&z->blocks);
     tree_clear(&z->regularity);

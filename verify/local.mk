@@ -6,12 +6,15 @@ VERIFY_SOURCES = \
   verify/buffer.h verify/buffer.c \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
+  verify/exact_choice.h verify/exact_choice.c \
   verify/choices.h verify/choices.c \
   verify/problem.h verify/problem.c \
+  verify/certificate_exact.h verify/certificate_exact.c \
   verify/certificate.h verify/certificate.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
   verify/findings.h verify/findings.c \
   verify/analysis.h \
+  verify/exact_search.h verify/exact_search.c \
   verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
   verify/prove_output.h verify/prove_output.c \
@@ -34,6 +37,8 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/exact_test.h verify/exact_test.c \
+  verify/exact_eigenvector.c \
   verify/candidates.h verify/candidates.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \

@@ -9,6 +9,7 @@
 typedef struct {
     bool made;           /* the candidates have been looked for; none if their status is not STATUS_OK */
     candidates candidates;
+    bool no_exact;       /* no eigenvalues are known to be equal exactly: not to be looked for again */
     bool folds;          /* the Jacobian is not positive somewhere */
 } suspicion;
 
