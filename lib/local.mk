@@ -22,6 +22,7 @@ LIB_SOURCES = \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
+  lib/scheme_range.h lib/scheme_range.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
   lib/bernstein.h lib/bernstein.c \

@@ -64,4 +64,4 @@ smoothcert_SOURCES = \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/exact.md verify/uniform.md verify/scheme-0.md
+EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/certificate-valences.md verify/exact.md verify/uniform.md verify/scheme-0.md
