@@ -39,7 +39,9 @@ VERIFY_GENERIC_SOURCES = \
   verify/fold_test.c \
   verify/exact_test.h verify/exact_test.c \
   verify/exact_eigenvector.c \
+  verify/block_matrix.h verify/block_matrix.c \
   verify/candidates.h verify/candidates.c \
+  verify/gap.h verify/gap.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \

@@ -2,6 +2,7 @@
 #include "refute.h"
 
 #include "exact_search.h"
+#include "gap.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -78,6 +79,16 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
     if (!is_final(o) && precision >= EXACT_PRECISION && s->candidates.count && !s->no_exact)
         o = attempt_exact(f, c, s, plan, valence, precision);
     return is_final(o) ? o : OUTCOME_FAIL;
+}
+
+void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, long valence, long precision)
+{
+    size_t length = strlen(a->reason);
+    long bits;
+    if (precision == 0 || s->candidates.near < 2 || gap_between_ball(&bits, plan->problem->scheme, valence, s->candidates.frequency, precision) != TRUTH_TRUE || bits < precision / 2)
+        return;
+    snprintf(a->reason + length, sizeof a->reason - length, "; the gap to block %ld is at most 2^-%ld after %ld bits: possibly an exact tie",
+             s->candidates.frequency[s->candidates.frequency[0] == 1], bits, precision);
 }
 
 /* The two blocks that count. */
