@@ -58,6 +58,7 @@ VERIFY_TESTS = \
   tests/verify/t-certificate \
   tests/verify/t-prove \
   tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
@@ -65,6 +66,7 @@ tests_verify_t_tree_LDADD = $(LINK_VERIFY)
 tests_verify_t_valences_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
 tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)

@@ -23,6 +23,8 @@ VERIFY_SOURCES = \
   verify/workers.h verify/workers.c \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
+  verify/other_criteria.h verify/other_criteria.c \
+  verify/consistency.h verify/consistency.c \
   verify/spectrum_doubles.h verify/spectrum_doubles.c
 
 # Compiled for every kind of number.
@@ -42,6 +44,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/block_matrix.h verify/block_matrix.c \
   verify/candidates.h verify/candidates.c \
   verify/gap.h verify/gap.c \
+  verify/other_criteria_numbers.h verify/other_criteria_numbers.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
