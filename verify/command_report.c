@@ -24,7 +24,7 @@ static const char help[] =
 
 typedef struct {
     const char *directory, *out, *svg;
-    valences list;
+    valence_list list;
     bool listed;
 } options;
 
@@ -40,7 +40,7 @@ static int read_option(options *o, int option, const char *value)
         o->svg = value;
         return -1;
     case 'v':
-        complaint = valences_read(&o->list, value);
+        complaint = valence_list_read(&o->list, value);
         o->listed = true;
         return complaint ? complain(EXIT_USAGE, "--valence: %s", complaint) : -1;
     default:

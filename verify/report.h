@@ -9,7 +9,7 @@
 #include "picture.h"
 #include "problem.h"
 #include "svg.h"
-#include "valences.h"
+#include "valence_list.h"
 
 /* What the log says of an entry. */
 typedef struct {
@@ -59,7 +59,7 @@ void report_clear(report *z);
 /* The scheme, its regular part, the index and the logs of the directory.  Unless REPORT_OK, z->complaint. */
 report_status report_read(report *z, const char *path);
 /* Chooses entries to be shown: those whose valence is in the list, or if it is NULL a few of each verdict. */
-void report_choose(report *z, const valences *list);
+void report_choose(report *z, const valence_list *list);
 /* Follows the certificate of an entry, and takes its picture. */
 report_status report_follow(report *z, report_entry *e);
 

@@ -242,7 +242,7 @@ static void choose_some(report *z, verdict v)
     }
 }
 
-static bool is_listed(const valences *list, long valence)
+static bool is_listed(const valence_list *list, long valence)
 {
     for (int i = 0; i < list->ranges; i++)
         if (valence >= list->range[i].first && valence <= list->range[i].last)
@@ -250,7 +250,7 @@ static bool is_listed(const valences *list, long valence)
     return false;
 }
 
-void report_choose(report *z, const valences *list)
+void report_choose(report *z, const valence_list *list)
 {
     if (list)
         for (size_t i = 0; i < z->count; i++)
@@ -266,7 +266,8 @@ const char *report_reason(const report_entry *e)
 {
     static const char *const reasons[] = {
         [CLAIM_C1] = "C1", [CLAIM_FREQUENCY] = "another frequency dominates", [CLAIM_NOT_C0] = "an eigenvalue beyond 1: not even continuous",
-        [CLAIM_FOLD] = "the characteristic map folds"};
+        [CLAIM_FOLD] = "the characteristic map folds", [CLAIM_TIE] = "too many blocks share the largest modulus",
+        [CLAIM_JORDAN] = "a larger Jordan block dominates", [CLAIM_MODULUS_ONE] = "an eigenvalue of modulus 1: not even continuous"};
     return (size_t)e->claim < sizeof reasons / sizeof *reasons && reasons[e->claim] ? reasons[e->claim] : "not C1";
 }
 
@@ -330,7 +331,7 @@ static report_status replay(report *z, report_entry *e, const buffer *text)
         plan.picture = &e->picture;
     if (!certificate_read(&c, &line, &z->scheme, text->bytes ? text->bytes : "", text->length)) {
         result = REPORT_NO_MEMORY;
-    } else if (line == 0 && c.valence == e->first && !strcmp(digest, e->digest) && (c.claim == CLAIM_C1) == (e->verdict == VERDICT_PROVED)) {
+    } else if (line == 0 && c.k.first == e->first && !strcmp(digest, e->digest) && (c.claim == CLAIM_C1) == (e->verdict == VERDICT_PROVED)) {
         outcome o = analysis_replay_grid(&f, &c, &plan, c.grid);
         e->followed = o == OUTCOME_TRUE;
         result = o == OUTCOME_NO_MEMORY ? REPORT_NO_MEMORY : REPORT_OK;
@@ -352,7 +353,7 @@ static report_status look_at_undecided(report *z, report_entry *e)
     outcome o;
     findings_init(&f);
     choices_init(&c);
-    c.valence = e->first;
+    c.k = one_valence(e->first);
     o = analysis_search(&f, &c, &plan, 0);
     e->jacobian = e->radius = NAN;
     choices_clear(&c);
