@@ -2,6 +2,7 @@
 #include "cover.h"
 
 #include "spectrum.h"
+#include "stop.h"
 #include "stride.h"
 
 #include <math.h>
@@ -71,11 +72,13 @@ static void leave_open(cover_answer *z, frequencies m)
     z->proved = false;
 }
 
-static bool stops(cover_answer *z, const cover_stop *stop)
+/* Asked when a box is not proved, perhaps because something gave up on the way. */
+static bool stops(cover_answer *z)
 {
-    if (stop && stop->passed && stop->passed(stop->data)) {
+    if (stop_now()) {
         z->stopped = true;
         z->proved = false;
+        z->status = BLOCK_OK;
     }
     return z->stopped;
 }
@@ -88,12 +91,12 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
     while (m.first <= m.last) {
         long width = stride_width(&s, m.last - m.first + 1);
         frequencies here = {m.first, m.first + width - 1};
-        if (stops(&z, &limits->stop)) {
+        box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
+        bool proved = b.answer.contracts == TRUTH_TRUE;
+        if (!proved && stops(&z)) {
             z.open = z.open.first ? z.open : here;
             return z;
         }
-        box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
-        bool proved = b.answer.contracts == TRUTH_TRUE;
         z.tries++;
         z.status = b.status;
         if (b.status != BLOCK_OK)
@@ -128,7 +131,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
     return z;
 }
 
-cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_stop *stop, diagnostic *d)
+cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d)
 {
     cover_answer z = {.status = BLOCK_OK, .proved = true};
     if (!cover_list_partitions(list, m)) {
@@ -138,13 +141,13 @@ cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const
     for (size_t i = 0; i < list->count; i++) {
         const cover_box *box = &list->box[i];
         box_answer b;
-        if (stops(&z, stop))
-            return z;
         if (box->power < 0) {
             leave_open(&z, box->m);
             continue;
         }
         b = prove_box(numbers, box->m, scale, box->power, box->power, false, d);
+        if (b.answer.contracts != TRUTH_TRUE && stops(&z))
+            return z;
         z.tries++;
         z.status = b.status;
         if (b.status != BLOCK_OK)

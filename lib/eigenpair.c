@@ -6,6 +6,8 @@
 #include "eigenpair.h"
 
 #include "eigen_approx.h"
+#include "matrix_row.h"
+#include "stop.h"
 
 #include <limits.h>
 #include <math.h>
@@ -20,6 +22,7 @@ typedef struct {
     number *residual;      /* n */
     number *derivative;    /* n x n */
     number *inverse;       /* n x n */
+    number *row;           /* n, scratch */
     number *image;         /* n: Krawczyk operator minus the approximation */
 } workspace;
 
@@ -34,8 +37,9 @@ static bool workspace_make(workspace *w, const number *b, int n, bool complex_fo
     w->residual = number_array_new((size_t)n);
     w->derivative = number_array_new(square);
     w->inverse = number_array_new(square);
+    w->row = number_array_new((size_t)n);
     w->image = number_array_new((size_t)n);
-    return w->approximation && w->residual && w->derivative && w->inverse && w->image;
+    return w->approximation && w->residual && w->derivative && w->inverse && w->row && w->image;
 }
 
 static void free_numbers(number *a, size_t count)
@@ -51,6 +55,7 @@ static void workspace_free(workspace *w)
     free_numbers(w->residual, n);
     free_numbers(w->derivative, n * n);
     free_numbers(w->inverse, n * n);
+    free_numbers(w->row, n);
     free_numbers(w->image, n);
 }
 
@@ -149,27 +154,34 @@ static void differentiate(workspace *w, const number *x, long prec)
         }
 }
 
-/* image = -Y F(approximation) + (I - Y F') [-radius, radius]. */
+/* image = -Y F(approximation). */
+static void newton(workspace *w, long prec)
+{
+    for (int i = 0; i < w->n; i++) {
+        number_zero(&w->image[i]);
+        for (int l = 0; l < w->n; l++)
+            number_submul(&w->image[i], &w->inverse[i * w->n + l], &w->residual[l], prec);
+    }
+}
+
+/* image = -Y F(approximation) + (I - Y F') [-radius, radius]; indeterminate if there is no time for it. */
 static void krawczyk(workspace *w, const number *radius, long prec)
 {
-    number sum, spread;
-    number_init(&sum);
+    number spread;
     number_init(&spread);
     number_add_error(&spread, &spread, radius, prec);
+    newton(w, prec);
     for (int i = 0; i < w->n; i++) {
-        const number *row = &w->inverse[i * w->n];
-        number *k = &w->image[i];
-        number_zero(k);
         for (int l = 0; l < w->n; l++)
-            number_submul(k, &row[l], &w->residual[l], prec);
-        for (int l = 0; l < w->n; l++) {
-            number_set_si(&sum, i == l, prec);
-            for (int q = 0; q < w->n; q++)
-                number_submul(&sum, &row[q], &w->derivative[q * w->n + l], prec);
-            number_addmul(k, &sum, &spread, prec);
+            number_set_si(&w->row[l], i == l, prec);
+        matrix_add_row(w->row, &w->inverse[i * w->n], w->derivative, w->n, true, prec);
+        for (int l = 0; l < w->n; l++)
+            number_addmul(&w->image[i], &w->row[l], &spread, prec);
+        if (stop_now()) {
+            number_indeterminate(&w->image[w->n - 1]);
+            break;
         }
     }
-    number_clear(&sum);
     number_clear(&spread);
 }
 
@@ -320,17 +332,14 @@ static long largest_bits(const workspace *w, long unit, long prec)
 static long improve(workspace *w, long unit, long prec)
 {
     long size;
-    number zero;
-    number_init(&zero);
     evaluate(w, w->approximation, prec);
-    krawczyk(w, &zero, prec);
+    newton(w, prec);
     size = largest_bits(w, unit, prec);
     for (int l = 0; l < w->n; l++) {
         number *z = &w->approximation[component(w, l)];
         number_add(z, z, &w->image[l], prec);
         number_midpoint(z, z, prec);
     }
-    number_clear(&zero);
     return size;
 }
 
@@ -345,13 +354,10 @@ static truth settle(workspace *w, eigenpair_choice *choice, long prec)
         if (!number_mid_grid(&choice->approximation[l], &w->approximation[component(w, l)], choice->grid))
             proved = TRUTH_FALSE;
     if (proved == TRUTH_UNKNOWN) {
-        number zero;
-        number_init(&zero);
         load(w, choice, prec);
         evaluate(w, w->approximation, prec);
-        krawczyk(w, &zero, prec);
+        newton(w, prec);
         bits = largest_bits(w, choice->grid, prec) + 1;
-        number_clear(&zero);
     }
     for (bits = bits < 3 ? 3 : bits; proved == TRUTH_UNKNOWN && bits < choice->grid; bits += 2) {
         integer_set_si(&choice->radius, 1);

@@ -3,7 +3,8 @@
 
 #include "eigenpair_affine.h"
 #include "scheme_range.h"
-#include "spectrum.h"
+#include "spectrum_affine.h"
+#include "stop.h"
 #include "stride.h"
 
 #define MOST_FAILURES 24
@@ -25,22 +26,15 @@ typedef struct {
 /* Point 3.  power: between least and most. */
 static truth prove_rest(int *power, const affine *box, const affine_matrix *b, int pivot, int least, int most, long prec)
 {
-    int n = b->n;
-    size_t size = (size_t)(n - 1) * (size_t)(n - 1);
-    number *rest = number_array_new(size);
+    spectral_answer answer;
     number scale;
-    spectral_answer answer = {TRUTH_FALSE, 0, false, 0};
     number_init(&scale);
-    if (rest) {
-        affine_deflate(rest, b->entry, box, n, pivot, prec);
-        affine_range(&scale, &box[n], prec);
-        number_lower(&scale, &scale, prec);
-        number_inv(&scale, &scale, prec);
-        number_upper(&scale, &scale, prec);
-        answer = spectral_contraction(rest, &scale, n - 1, least, most, prec);
-        *power = answer.power;
-    }
-    number_array_free(rest, size);
+    affine_range(&scale, &box[b->n], prec);
+    number_lower(&scale, &scale, prec);
+    number_inv(&scale, &scale, prec);
+    number_upper(&scale, &scale, prec);
+    answer = affine_rest_contraction(b->entry, box, b->n, pivot, &scale, least, most, prec);
+    *power = answer.power;
     number_clear(&scale);
     return answer.contracts;
 }
@@ -94,19 +88,19 @@ static rise_answer start(const rise_list *list, const context *c)
     return z;
 }
 
-static bool stops(rise_answer *z, const cover_stop *stop)
+static bool stops(rise_answer *z)
 {
-    z->stopped = stop && stop->passed && stop->passed(stop->data);
+    z->stopped = stop_now();
     return z->stopped;
 }
 
-rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const cover_limits *limits, long g, long prec, diagnostic *d)
+rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const range_limits *limits, long g, long prec, diagnostic *d)
 {
     const context c = {s, k, prec, d};
     rise_answer z = start(list, &c);
     stride width = stride_start(z.end ? (double)z.end / 2 : (double)goal);
     int failures = 0;
-    while (z.status == BLOCK_OK && z.constant && z.end < goal && list->count < most && failures < MOST_FAILURES && z.tries < limits->tries && !stops(&z, &limits->stop)) {
+    while (z.status == BLOCK_OK && z.constant && z.end < goal && list->count < most && failures < MOST_FAILURES && z.tries < limits->tries && !stops(&z)) {
         long here = stride_width(&width, goal - z.end);
         rise_box *box = rise_list_add(list);
         arc_answer r = {BLOCK_NO_MEMORY, TRUTH_UNKNOWN};
@@ -131,12 +125,12 @@ rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64
     return z;
 }
 
-rise_answer rise_verify(const rise_list *list, const scheme *s, valence_range k, const cover_stop *stop, long prec, diagnostic *d)
+rise_answer rise_verify(const rise_list *list, const scheme *s, valence_range k, long prec, diagnostic *d)
 {
     const rise_list none = {NULL, 0, 0};
     const context c = {s, k, prec, d};
     rise_answer z = start(&none, &c);
-    for (size_t i = 0; z.status == BLOCK_OK && z.constant && i < list->count && !stops(&z, stop); i++) {
+    for (size_t i = 0; z.status == BLOCK_OK && z.constant && i < list->count && !stops(&z); i++) {
         rise_box *box = &list->box[i];
         int power = box->power;
         arc_answer r = {BLOCK_OK, TRUTH_UNKNOWN};

@@ -38,7 +38,7 @@ static void take_rise(separation_answer *z, rise_answer rise)
     z->stopped = z->stopped || rise.stopped;
 }
 
-separation_answer separation_search(rise_list *rises, span_list *spans, const scheme *s, valence_range k, const number *scale, const cover_limits *limits, long g, long prec, diagnostic *d)
+separation_answer separation_search(rise_list *rises, span_list *spans, const scheme *s, valence_range k, const number *scale, const range_limits *limits, long g, long prec, diagnostic *d)
 {
     separation_answer z = {.status = BLOCK_OK};
     int64_t goal = least_end(k), reached = 0;
@@ -67,15 +67,15 @@ static bool is_one_group(const span_list *spans)
     return spans->count && spans->box[spans->count - 1].m.first == spans->box[0].m.first;
 }
 
-separation_answer separation_verify(const rise_list *rises, const span_list *spans, const scheme *s, valence_range k, const number *scale, const cover_stop *stop, long prec, diagnostic *d)
+separation_answer separation_verify(const rise_list *rises, const span_list *spans, const scheme *s, valence_range k, const number *scale, long prec, diagnostic *d)
 {
     separation_answer z = {.status = BLOCK_OK};
     span_task task = make_task(rises, s, k);
     if (rises->count) {
-        take_rise(&z, rise_verify(rises, s, k, stop, prec, d));
+        take_rise(&z, rise_verify(rises, s, k, prec, d));
         if (!z.rise.proved || z.rise.end < least_end(k) || !is_one_group(spans))
             return z;
     }
-    take_span(&z, span_verify(spans->box, spans->count, &task, scale, stop, prec, d));
+    take_span(&z, span_verify(spans->box, spans->count, &task, scale, prec, d));
     return z;
 }

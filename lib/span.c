@@ -2,7 +2,8 @@
 #include "span.h"
 
 #include "scheme_range.h"
-#include "spectrum.h"
+#include "spectrum_affine.h"
+#include "stop.h"
 #include "stride.h"
 
 #include <math.h>
@@ -46,19 +47,6 @@ typedef struct {
     spectral_answer answer;
 } one_answer;
 
-static spectral_answer contract(const affine_matrix *b, const context *c, int least, int most)
-{
-    spectral_answer z = {TRUTH_FALSE, 0, false, INFINITY};
-    size_t size = (size_t)b->n * (size_t)b->n;
-    number *range = number_array_new(size);
-    for (size_t i = 0; range && i < size; i++)
-        affine_range(&range[i], &b->entry[i], c->prec);
-    if (range)
-        z = spectral_contraction(range, c->scale, b->n, least, most, c->prec);
-    number_array_free(range, size);
-    return z;
-}
-
 static one_answer prove_span(frequencies m, int64_t from, int64_t to, const context *c, int least, int most)
 {
     one_answer z = {BLOCK_NO_MEMORY, {TRUTH_UNKNOWN, 0, false, INFINITY}};
@@ -68,7 +56,7 @@ static one_answer prove_span(frequencies m, int64_t from, int64_t to, const cont
     if (arc_set_units(&r, from, to)) {
         z.status = affine_matrix_make(&b, c->task->scheme, c->task->k, m, &r, c->prec, c->complaint);
         if (z.status == BLOCK_OK)
-            z.answer = contract(&b, c, least, most);
+            z.answer = affine_contraction(b.entry, b.n, c->scale, least, most, c->prec);
         if (z.answer.contracts == TRUTH_FALSE)
             z.status = BLOCK_NO_MEMORY;
     }
@@ -77,9 +65,9 @@ static one_answer prove_span(frequencies m, int64_t from, int64_t to, const cont
     return z;
 }
 
-static bool stops(span_answer *z, const cover_stop *stop)
+static bool stops(span_answer *z)
 {
-    z->stopped = z->stopped || (stop && stop->passed && stop->passed(stop->data));
+    z->stopped = z->stopped || stop_now();
     return z->stopped;
 }
 
@@ -101,14 +89,14 @@ static void note(span_answer *z, const one_answer *r, frequencies m, int64_t fro
 /* ---- the search ---- */
 
 /* Adds the spans of one group; false: not all of them could be found, and none is added. */
-static bool search_group(span_answer *z, span_list *list, frequencies m, const context *c, const cover_limits *limits)
+static bool search_group(span_answer *z, span_list *list, frequencies m, const context *c, const range_limits *limits)
 {
     size_t before = list->count;
     int64_t from = group_start(c->task, m), end = group_end(c->task, m);
     stride width = stride_start(from ? 4 * (double)from : (double)end);
     int failures = 0;
     bool more = true; /* also where the group is beyond its end: one span of no width */
-    while (more && failures < MOST_FAILURES && z->tries < limits->tries && !stops(z, &limits->stop)) {
+    while (more && failures < MOST_FAILURES && z->tries < limits->tries && !stops(z)) {
         long here = from < end ? stride_width(&width, end - from) : 0;
         one_answer r = prove_span(m, from, from + here, c, 0, limits->power);
         note(z, &r, m, from);
@@ -132,7 +120,7 @@ static bool search_group(span_answer *z, span_list *list, frequencies m, const c
 }
 
 /* All that are left in one group, if possible; else, if weights depend on m, the first frequency by itself. */
-span_answer span_search(span_list *list, const span_task *task, const number *scale, const cover_limits *limits, long prec, diagnostic *d)
+span_answer span_search(span_list *list, const span_task *task, const number *scale, const range_limits *limits, long prec, diagnostic *d)
 {
     const context c = {task, scale, prec, d};
     span_answer z = {.status = BLOCK_OK};
@@ -176,14 +164,14 @@ static bool is_cover(const span_box *boxes, size_t count, const span_task *t)
     return count > 0;
 }
 
-span_answer span_verify(const span_box *boxes, size_t count, const span_task *task, const number *scale, const cover_stop *stop, long prec, diagnostic *d)
+span_answer span_verify(const span_box *boxes, size_t count, const span_task *task, const number *scale, long prec, diagnostic *d)
 {
     const context c = {task, scale, prec, d};
     span_answer z = {.status = BLOCK_OK, .open = task->m};
     int64_t from = 0;
     if (!task->scheme->mirror_symmetric || !is_cover(boxes, count, task))
         return z;
-    for (size_t i = 0; i < count && !stops(&z, stop); i++) {
+    for (size_t i = 0; i < count && !stops(&z); i++) {
         const span_box *box = &boxes[i];
         bool first = i == 0 || box->m.first != boxes[i - 1].m.first;
         one_answer r = {BLOCK_OK, {TRUTH_UNKNOWN, 0, false, INFINITY}};

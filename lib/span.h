@@ -1,17 +1,17 @@
 /* span.h: all eigenvalues of all blocks whose m/k lies in spans, at many valences, are smaller than a number
-   (verify/certificate-valences.md, section 4, "Cover").  Compiled once per number system.
+   (verify/certificate-valences.md, section 4, "Cover").  Compiled once per number system; affine sources may include it, too.
 
    Frequencies come in groups A..B; the arcs of m/k that a group may have at the valences of the range are cut into spans, the affine
    matrix of each of which is bounded by spectral_contraction. */
 #ifndef LIB_SPAN_H
 #define LIB_SPAN_H
 
-#include "block_affine.h"
-#include "cover.h"
-#include "range_choices.h"
+#include "rise.h"
 
-#define span_search NUMBER_NAME(span_search)
-#define span_verify NUMBER_NAME(span_verify)
+#if !defined(NUMBER_AFFINE)
+#define base_number number
+#define BASE_NAME NUMBER_NAME
+#endif
 
 /* Which blocks: those of the frequencies m, 2 m <= k, at each valence k of the range, for which start <= m/k <= end in the units of arc.h.
    (All of them: 0, ARC_HALF.) */
@@ -31,15 +31,22 @@ typedef struct {
     double radius;       /* all eigenvalues are at most radius/scale in modulus, as far as they are proved */
     int64_t largest;     /* where the span begins for which radius was needed */
     long tries;
-    bool stopped;        /* because the caller said so */
+    bool stopped;        /* lib/stop.h */
 } span_answer;
 
 /* Finds a list with which span_verify proves that these blocks have only eigenvalues smaller than 1/scale in modulus, scale thin and
-   positive.  Mirror-symmetric schemes only.  Of the limits tries, power and stop count.  What is found is added to the list; if not
+   positive.  Mirror-symmetric schemes only.  What is found is added to the list; if not
    all is proved, nothing. */
-span_answer span_search(span_list *list, const span_task *task, const number *scale, const cover_limits *limits, long prec, diagnostic *d);
+span_answer BASE_NAME(span_search)(span_list *list, const span_task *task, const base_number *scale, const range_limits *limits, long prec, diagnostic *d);
 
 /* Proves it with the spans boxes[0..count), which must be a cover of the task as the page says. */
-span_answer span_verify(const span_box *boxes, size_t count, const span_task *task, const number *scale, const cover_stop *stop, long prec, diagnostic *d);
+span_answer BASE_NAME(span_verify)(const span_box *boxes, size_t count, const span_task *task, const base_number *scale, long prec, diagnostic *d);
+
+#if !defined(NUMBER_AFFINE)
+#undef base_number
+#undef BASE_NAME
+#define span_search NUMBER_NAME(span_search)
+#define span_verify NUMBER_NAME(span_verify)
+#endif
 
 #endif

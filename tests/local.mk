@@ -32,6 +32,7 @@ LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
   tests/lib/t-regular \
+  tests/lib/t-number_field \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
@@ -41,6 +42,7 @@ LIB_TESTS = \
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
 tests_lib_t_regular_LDADD = $(LINK_LIB)
+tests_lib_t_number_field_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
@@ -51,17 +53,25 @@ tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
-  tests/verify/t-valences \
+  tests/verify/t-valence_list \
+  tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
+  tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
-tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
+tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
+tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
@@ -99,18 +109,28 @@ GENERIC_TESTS = \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
+  tests/verify/pages.sh \
+  tests/verify/completion.sh \
+  tests/verify/report.sh \
+  tests/verify/advice.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
+  tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
   tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/archive.sh \
   tests/verify/regular.sh \
-  tests/verify/spectrum.sh
+  tests/verify/spectrum.sh \
+  tests/faults/durability.sh \
+  tests/faults/kill.sh \
+  tests/faults/failing.sh
 
 # Files that tests read.
 EXTRA_DIST += \
@@ -122,12 +142,22 @@ EXTRA_DIST += \
   tests/certificates/accept \
   tests/certificates/accept-1 \
   tests/certificates/reject \
+  tests/certificates/reject-1 \
   tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
   $(CHECK_TESTS) $(SCRIPT_TESTS)
+
+# What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
+check_PROGRAMS += tests/faults/crash
+tests_faults_crash_LDADD =
+PRELOADED = tests/faults/preload.so
+EXTRA_DIST += tests/faults/preload.c tests/faults/common.sh
+CLEANFILES += $(PRELOADED)
+$(PRELOADED): tests/faults/preload.c
+	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
 check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
@@ -165,18 +195,24 @@ tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local: $(ALL_GENERIC_TESTS)
+check-local: $(ALL_GENERIC_TESTS) $(PRELOADED)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
-	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS)
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(PRELOADED)
 
 # Random tests for longer: each test draws until its time is up.
 SECONDS_PER_TEST = 60
 check-long: check-programs
 	@SECONDS_PER_TEST=$(SECONDS_PER_TEST) TEST_TIMEOUT=0 $(RUN_TESTS)
+
+# All faults: every allocation fails in turn, and many more kills. Some minutes.
+.PHONY: check-faults
+check-faults: check-programs
+	@FAULTS_KILLS=1000 FAULTS_SEED=$$$$ FAULTS_MALLOCS=1 FAULTS_EVERY=3 TEST_TIMEOUT=0 SRCDIR=$(srcdir) BUILDDIR=. \
+	  $(SHELL) $(srcdir)/tests/run-tests --only faults $(ALL_TESTS)
 
 # Does every rounding constant of bigfloat/ matter to some test? Some minutes.
 MUTATIONS = tests/bigfloat/mutations tests/bigfloat/mutations-directed

@@ -11,7 +11,7 @@
 
 enum { GRID = 64, PRECISION = 128 };
 
-static const cover_limits limits = {.tries = 10000, .power = 10000};
+static const range_limits limits = {.tries = 10000, .power = 10000};
 
 typedef struct {
     scheme s;
@@ -80,7 +80,7 @@ static void clear(setting *z)
 static bool verifies(const setting *z)
 {
     diagnostic d;
-    separation_answer a = separation_verify(&z->rises, &z->spans, &z->s, z->k, &z->scale, NULL, PRECISION, &d);
+    separation_answer a = separation_verify(&z->rises, &z->spans, &z->s, z->k, &z->scale, PRECISION, &d);
     CHECK(a.status == BLOCK_OK, "%s: status %d", z->s.name, (int)a.status);
     return a.proved;
 }
@@ -232,7 +232,7 @@ static void test_lies(void)
     LIE(box->power = -1, "no power");
     LIE(box->q = ARC_HALF + 1, "an arc beyond 1/2");
     LIE(span->power = 0, "a power too low, of a span");
-    LIE(span->power = COVER_OPEN, "an open span");
+    LIE(span->power = -1, "no power, of a span");
     LIE(span->q = ARC_HALF, "a span too wide, that ends the group");
     LIE(last->q = ARC_HALF - 1, "the group does not end");
     LIE(last->q = ARC_HALF + 1, "the group ends beyond 1/2");
@@ -272,17 +272,17 @@ static void test_parts(void)
     span_list_init(&list);
     a = span_search(&list, &task, &z.scale, &limits, PRECISION, &d);
     CHECK(a.proved && list.count && list.box[list.count - 1].q == task.end, "from 1/8 to 1/4");
-    CHECK(span_verify(list.box, list.count, &task, &z.scale, NULL, PRECISION, &d).proved, "the spans");
+    CHECK(span_verify(list.box, list.count, &task, &z.scale, PRECISION, &d).proved, "the spans");
     task.start--;
-    CHECK(span_verify(list.box, list.count, &task, &z.scale, NULL, PRECISION, &d).proved == true, "the first one is wider");
+    CHECK(span_verify(list.box, list.count, &task, &z.scale, PRECISION, &d).proved == true, "the first one is wider");
     task.end++;
-    CHECK(!span_verify(list.box, list.count, &task, &z.scale, NULL, PRECISION, &d).proved, "a gap");
+    CHECK(!span_verify(list.box, list.count, &task, &z.scale, PRECISION, &d).proved, "a gap");
     span_list_clear(&list);
     task = (span_task){&z.s, {20, 30}, {4, 6}, 0, ARC_HALF};
     a = span_search(&list, &task, &z.scale, &limits, PRECISION, &d);
-    CHECK(a.proved && list.box[list.count - 1].m.last == 6 && span_verify(list.box, list.count, &task, &z.scale, NULL, PRECISION, &d).proved, "frequencies 4 to 6");
+    CHECK(a.proved && list.box[list.count - 1].m.last == 6 && span_verify(list.box, list.count, &task, &z.scale, PRECISION, &d).proved, "frequencies 4 to 6");
     task.m.last = 7;
-    CHECK(!span_verify(list.box, list.count, &task, &z.scale, NULL, PRECISION, &d).proved, "frequency 7");
+    CHECK(!span_verify(list.box, list.count, &task, &z.scale, PRECISION, &d).proved, "frequency 7");
     span_list_clear(&list);
     clear(&z);
     test_end();
