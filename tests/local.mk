@@ -97,6 +97,7 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-cover \
   tests/lib/t-monotone \
+  tests/lib/t-separation \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
