@@ -79,3 +79,18 @@ truth eigenpair_affine_prove(affine *box, const eigenpair_choice *choice, const 
     number_array_free(slope, count);
     return t;
 }
+
+void affine_deflate(number *z, const affine *b, const affine *x, int n, int pivot, long prec)
+{
+    affine rest;
+    affine_init(&rest);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++) {
+            if (i == pivot || j == pivot)
+                continue;
+            affine_mul(&rest, &x[i], &b[pivot * n + j], prec);
+            affine_sub(&rest, &b[i * n + j], &rest, prec);
+            affine_range(z++, &rest, prec);
+        }
+    affine_clear(&rest);
+}

@@ -8,6 +8,7 @@
 #include "eigenpair_choice.h"
 
 #if !defined(NUMBER_AFFINE)
+#define base_number number
 #define BASE_NAME NUMBER_NAME
 #endif
 
@@ -21,10 +22,16 @@ truth BASE_NAME(eigenpair_affine_choose)(eigenpair_choice *z, const affine *b, i
    TRUTH_UNKNOWN: not proved, and box is no enclosure of anything.  TRUTH_FALSE: no memory. */
 truth BASE_NAME(eigenpair_affine_prove)(affine *box, const eigenpair_choice *choice, const affine *b, int n, long prec);
 
+/* The ranges of what is left of b beside the eigenvalue of its eigenvector x, x_pivot = 1: (n-1) x (n-1), with exactly the other
+   eigenvalues (lib/spectrum.h, matrix_deflate). */
+void BASE_NAME(affine_deflate)(base_number *z, const affine *b, const affine *x, int n, int pivot, long prec);
+
 #if !defined(NUMBER_AFFINE)
+#undef base_number
 #undef BASE_NAME
 #define eigenpair_affine_choose NUMBER_NAME(eigenpair_affine_choose)
 #define eigenpair_affine_prove NUMBER_NAME(eigenpair_affine_prove)
+#define affine_deflate NUMBER_NAME(affine_deflate)
 #endif
 
 #endif

@@ -3,8 +3,8 @@
 LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/growing.h \
-  lib/stride.h \
   lib/stop.h lib/stop.c \
+  lib/stride.h \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
@@ -56,7 +56,6 @@ LIB_GENERIC_SOURCES = \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
   lib/eigenpair_affine.h lib/eigenpair_affine.c \
-  lib/spectrum_affine.h lib/spectrum_affine.c \
   lib/monotone.h lib/monotone.c \
   lib/rise.h lib/rise.c \
   lib/span.h lib/span.c \

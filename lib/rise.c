@@ -3,7 +3,7 @@
 
 #include "eigenpair_affine.h"
 #include "scheme_range.h"
-#include "spectrum_affine.h"
+#include "spectrum.h"
 #include "stop.h"
 #include "stride.h"
 
@@ -26,15 +26,22 @@ typedef struct {
 /* Point 3.  power: between least and most. */
 static truth prove_rest(int *power, const affine *box, const affine_matrix *b, int pivot, int least, int most, long prec)
 {
-    spectral_answer answer;
+    int n = b->n;
+    size_t size = (size_t)(n - 1) * (size_t)(n - 1);
+    number *rest = number_array_new(size);
     number scale;
+    spectral_answer answer = {TRUTH_FALSE, 0, false, 0};
     number_init(&scale);
-    affine_range(&scale, &box[b->n], prec);
-    number_lower(&scale, &scale, prec);
-    number_inv(&scale, &scale, prec);
-    number_upper(&scale, &scale, prec);
-    answer = affine_rest_contraction(b->entry, box, b->n, pivot, &scale, least, most, prec);
-    *power = answer.power;
+    if (rest) {
+        affine_deflate(rest, b->entry, box, n, pivot, prec);
+        affine_range(&scale, &box[n], prec);
+        number_lower(&scale, &scale, prec);
+        number_inv(&scale, &scale, prec);
+        number_upper(&scale, &scale, prec);
+        answer = spectral_contraction(rest, &scale, n - 1, least, most, prec);
+        *power = answer.power;
+    }
+    number_array_free(rest, size);
     number_clear(&scale);
     return answer.contracts;
 }
@@ -94,7 +101,7 @@ static bool stops(rise_answer *z)
     return z->stopped;
 }
 
-rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const range_limits *limits, long g, long prec, diagnostic *d)
+rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const cover_limits *limits, long g, long prec, diagnostic *d)
 {
     const context c = {s, k, prec, d};
     rise_answer z = start(list, &c);

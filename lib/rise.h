@@ -1,6 +1,5 @@
 /* rise.h: an eigenvalue that rises with u = cos(pi m / k), along arcs (verify/certificate-valences.md, section 4, "Rise").
-   Compiled once per number system; affine sources may include it,
-   too.
+   Compiled once per number system.
 
    Where no weight of a rule depends on k or m, but the centre's, the blocks are one function B(u).  For one arc of angles, as an affine
    matrix, it is proved that
@@ -14,17 +13,11 @@
 #define LIB_RISE_H
 
 #include "block_affine.h"
+#include "cover.h"
 #include "range_choices.h"
 
-#if !defined(NUMBER_AFFINE)
-#define BASE_NAME NUMBER_NAME
-#endif
-
-/* How long a search goes on. */
-typedef struct {
-    long tries; /* of arcs, or spans */
-    int power;  /* of spectral_contraction */
-} range_limits;
+#define rise_search NUMBER_NAME(rise_search)
+#define rise_verify NUMBER_NAME(rise_verify)
 
 typedef struct {
     block_status status; /* BLOCK_OK, or what was wrong with the scheme, or BLOCK_NO_MEMORY: then no more is said */
@@ -36,16 +29,11 @@ typedef struct {
 } rise_answer;
 
 /* Makes a chain longer, which begins at 1/k.last (rounded down), until it ends at `goal` or beyond, or where it cannot go on;
-   mirror-symmetric schemes only.  New choices are on the grid 2^-g; list->count is at most `most`. */
-rise_answer BASE_NAME(rise_search)(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const range_limits *limits, long g, long prec, diagnostic *d);
+   mirror-symmetric schemes only.  New choices are on the grid 2^-g.  Of the limits tries and power count; list->count is
+   at most `most`. */
+rise_answer rise_search(rise_list *list, const scheme *s, valence_range k, int64_t goal, size_t most, const cover_limits *limits, long g, long prec, diagnostic *d);
 
 /* Proves that the list is such a chain. */
-rise_answer BASE_NAME(rise_verify)(const rise_list *list, const scheme *s, valence_range k, long prec, diagnostic *d);
-
-#if !defined(NUMBER_AFFINE)
-#undef BASE_NAME
-#define rise_search NUMBER_NAME(rise_search)
-#define rise_verify NUMBER_NAME(rise_verify)
-#endif
+rise_answer rise_verify(const rise_list *list, const scheme *s, valence_range k, long prec, diagnostic *d);
 
 #endif

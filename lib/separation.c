@@ -38,7 +38,7 @@ static void take_rise(separation_answer *z, rise_answer rise)
     z->stopped = z->stopped || rise.stopped;
 }
 
-separation_answer separation_search(rise_list *rises, span_list *spans, const scheme *s, valence_range k, const number *scale, const range_limits *limits, long g, long prec, diagnostic *d)
+separation_answer separation_search(rise_list *rises, span_list *spans, const scheme *s, valence_range k, const number *scale, const cover_limits *limits, long g, long prec, diagnostic *d)
 {
     separation_answer z = {.status = BLOCK_OK};
     int64_t goal = least_end(k), reached = 0;

@@ -2,7 +2,7 @@
 #include "span.h"
 
 #include "scheme_range.h"
-#include "spectrum_affine.h"
+#include "spectrum.h"
 #include "stop.h"
 #include "stride.h"
 
@@ -47,6 +47,19 @@ typedef struct {
     spectral_answer answer;
 } one_answer;
 
+static spectral_answer contract(const affine_matrix *b, const context *c, int least, int most)
+{
+    spectral_answer z = {TRUTH_FALSE, 0, false, INFINITY};
+    size_t size = (size_t)b->n * (size_t)b->n;
+    number *range = number_array_new(size);
+    for (size_t i = 0; range && i < size; i++)
+        affine_range(&range[i], &b->entry[i], c->prec);
+    if (range)
+        z = spectral_contraction(range, c->scale, b->n, least, most, c->prec);
+    number_array_free(range, size);
+    return z;
+}
+
 static one_answer prove_span(frequencies m, int64_t from, int64_t to, const context *c, int least, int most)
 {
     one_answer z = {BLOCK_NO_MEMORY, {TRUTH_UNKNOWN, 0, false, INFINITY}};
@@ -56,7 +69,7 @@ static one_answer prove_span(frequencies m, int64_t from, int64_t to, const cont
     if (arc_set_units(&r, from, to)) {
         z.status = affine_matrix_make(&b, c->task->scheme, c->task->k, m, &r, c->prec, c->complaint);
         if (z.status == BLOCK_OK)
-            z.answer = affine_contraction(b.entry, b.n, c->scale, least, most, c->prec);
+            z.answer = contract(&b, c, least, most);
         if (z.answer.contracts == TRUTH_FALSE)
             z.status = BLOCK_NO_MEMORY;
     }
@@ -89,7 +102,7 @@ static void note(span_answer *z, const one_answer *r, frequencies m, int64_t fro
 /* ---- the search ---- */
 
 /* Adds the spans of one group; false: not all of them could be found, and none is added. */
-static bool search_group(span_answer *z, span_list *list, frequencies m, const context *c, const range_limits *limits)
+static bool search_group(span_answer *z, span_list *list, frequencies m, const context *c, const cover_limits *limits)
 {
     size_t before = list->count;
     int64_t from = group_start(c->task, m), end = group_end(c->task, m);
@@ -120,7 +133,7 @@ static bool search_group(span_answer *z, span_list *list, frequencies m, const c
 }
 
 /* All that are left in one group, if possible; else, if weights depend on m, the first frequency by itself. */
-span_answer span_search(span_list *list, const span_task *task, const number *scale, const range_limits *limits, long prec, diagnostic *d)
+span_answer span_search(span_list *list, const span_task *task, const number *scale, const cover_limits *limits, long prec, diagnostic *d)
 {
     const context c = {task, scale, prec, d};
     span_answer z = {.status = BLOCK_OK};

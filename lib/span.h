@@ -1,17 +1,17 @@
 /* span.h: all eigenvalues of all blocks whose m/k lies in spans, at many valences, are smaller than a number
-   (verify/certificate-valences.md, section 4, "Cover").  Compiled once per number system; affine sources may include it, too.
+   (verify/certificate-valences.md, section 4, "Cover").  Compiled once per number system.
 
    Frequencies come in groups A..B; the arcs of m/k that a group may have at the valences of the range are cut into spans, the affine
    matrix of each of which is bounded by spectral_contraction. */
 #ifndef LIB_SPAN_H
 #define LIB_SPAN_H
 
-#include "rise.h"
+#include "block_affine.h"
+#include "cover.h"
+#include "range_choices.h"
 
-#if !defined(NUMBER_AFFINE)
-#define base_number number
-#define BASE_NAME NUMBER_NAME
-#endif
+#define span_search NUMBER_NAME(span_search)
+#define span_verify NUMBER_NAME(span_verify)
 
 /* Which blocks: those of the frequencies m, 2 m <= k, at each valence k of the range, for which start <= m/k <= end in the units of arc.h.
    (All of them: 0, ARC_HALF.) */
@@ -35,18 +35,11 @@ typedef struct {
 } span_answer;
 
 /* Finds a list with which span_verify proves that these blocks have only eigenvalues smaller than 1/scale in modulus, scale thin and
-   positive.  Mirror-symmetric schemes only.  What is found is added to the list; if not
+   positive.  Mirror-symmetric schemes only.  Of the limits tries and power count.  What is found is added to the list; if not
    all is proved, nothing. */
-span_answer BASE_NAME(span_search)(span_list *list, const span_task *task, const base_number *scale, const range_limits *limits, long prec, diagnostic *d);
+span_answer span_search(span_list *list, const span_task *task, const number *scale, const cover_limits *limits, long prec, diagnostic *d);
 
 /* Proves it with the spans boxes[0..count), which must be a cover of the task as the page says. */
-span_answer BASE_NAME(span_verify)(const span_box *boxes, size_t count, const span_task *task, const base_number *scale, long prec, diagnostic *d);
-
-#if !defined(NUMBER_AFFINE)
-#undef base_number
-#undef BASE_NAME
-#define span_search NUMBER_NAME(span_search)
-#define span_verify NUMBER_NAME(span_verify)
-#endif
+span_answer span_verify(const span_box *boxes, size_t count, const span_task *task, const number *scale, long prec, diagnostic *d);
 
 #endif

@@ -55,6 +55,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/regular_complex_test.c \
   verify/eigenpair_test.c \
   verify/spectrum_test.c \
+  verify/range_spectrum.h verify/range_spectrum.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
   verify/zero_free_test.c \

@@ -11,7 +11,7 @@
 
 enum { GRID = 64, PRECISION = 128 };
 
-static const range_limits limits = {.tries = 10000, .power = 10000};
+static const cover_limits limits = {.tries = 10000, .power = 10000};
 
 typedef struct {
     scheme s;
