@@ -79,11 +79,14 @@ tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
-  tests/check/t-check-spectrum
+  tests/check/t-check-spectrum \
+  tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
 tests_check_t_check_units_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_ranges_CPPFLAGS =
+tests_check_t_check_ranges_LDADD =
 
 # One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
 GENERIC_TESTS = \
@@ -117,6 +120,7 @@ SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
+  tests/check/ranges.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
@@ -138,6 +142,7 @@ EXTRA_DIST += \
   tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
   tests/check/butterfly.scheme tests/check/butterfly-5.cert \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
+  tests/check/ranges \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
