@@ -102,6 +102,7 @@ GENERIC_TESTS = \
   tests/lib/t-monotone \
   tests/lib/t-separation \
   tests/lib/t-eigenvalues \
+  tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
   tests/lib/t-eigenpair_affine \
@@ -175,7 +176,7 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
-TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/lib/discs.h tests/verify/common.h
 
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
