@@ -2,22 +2,24 @@
    rotation maps to itself, or somewhere on it.  Compiled once per number system. */
 #include "tests.h"
 
-/* z += |F|^2, in the coordinates (x, y): positive if one of them has a sign. */
-static void square_of_modulus(number *z, const number *const x[], const number *const y[], const void *data, long prec)
+/* z += max(|x|, |y|), the coordinates of F: positive if and only if one of them has a sign, however small. */
+static void greatest_coordinate(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
-    number p;
+    number p, q;
     (void)data;
     number_init(&p);
-    number_sqr(&p, x[0], prec);
-    number_add(z, z, &p, prec);
-    number_sqr(&p, y[0], prec);
+    number_init(&q);
+    number_abs(&p, x[0]);
+    number_abs(&q, y[0]);
+    number_max(&p, &p, &q, prec);
     number_add(z, z, &p, prec);
     number_clear(&p);
+    number_clear(&q);
 }
 
 static adaptive_task make_task(void)
 {
-    return (adaptive_task){.nets = 1, .which = {RING_VALUES}, .quantity = square_of_modulus, .boxes_only = true};
+    return (adaptive_task){.nets = 1, .which = {RING_VALUES}, .quantity = greatest_coordinate, .boxes_only = true};
 }
 
 outcome test_zero_free(analysis *a)
