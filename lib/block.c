@@ -129,8 +129,8 @@ static bool set_twist(block *z, form f, const number *u, long prec)
     if (f == FORM_PLAIN)
         return true;
     if (f == FORM_COMPLEX)
-        return twist_set_complex_range(&z->twist, m, z->k, prec);
-    return u ? twist_set_u(&z->twist, u, prec) : twist_set_real_range(&z->twist, m, z->k, prec);
+        return twist_set_complex_range(&z->twist, m, z->k.first, prec);
+    return u ? twist_set_u(&z->twist, u, prec) : twist_set_real_range(&z->twist, m, z->k.first, prec);
 }
 
 static block_status make(block *z, scheme_numbers *numbers, frequencies m, const number *u, bool real, diagnostic *d)
@@ -150,7 +150,7 @@ static block_status make(block *z, scheme_numbers *numbers, frequencies m, const
     z->unknowns = malloc((size_t)(sector_size(z->rings) + 1) * sizeof *z->unknowns);
     if (z->unknowns)
         z->n = list_unknowns(z->unknowns, z->mesh, z->rings, f);
-    if (!sector_net_make(&net, z->mesh, z->k == mesh_regular_valence(z->mesh), z->rings, plain ? NULL : &z->twist) || !z->unknowns || !set_twist(z, f, u, numbers->prec))
+    if (!sector_net_make(&net, z->mesh, block_is_planar(z), z->rings, plain ? NULL : &z->twist) || !z->unknowns || !set_twist(z, f, u, numbers->prec))
         goto done;
     z->entry = number_array_new((size_t)z->n * (size_t)z->n);
     if (f == FORM_COMPLEX)

@@ -89,7 +89,7 @@ block_status charnet_make(sector_net *net, const block *b, const number *box, co
     block_status s = BLOCK_OK;
     int known = b->rings;
     divisor eigenvalue;
-    if (!sector_net_make(net, b->mesh, b->k == mesh_regular_valence(b->mesh), known, b->m ? &b->twist : NULL))
+    if (!sector_net_make(net, b->mesh, block_is_planar(b), known, b->m ? &b->twist : NULL))
         return BLOCK_NO_MEMORY;
     block_net(net, b, box, b->imaginary ? &box[b->n] : NULL, numbers->prec);
     divisor_init(&eigenvalue, b, box, numbers->prec);

@@ -1,4 +1,4 @@
-/* formula_range.c: enclosures of formulas in m, m any number of a range. */
+/* formula_range.c: enclosures of formulas in k and m, each of them any number of a range. */
 #include "formula_range.h"
 
 #include "formula_value.h"
@@ -8,8 +8,7 @@
 
 /* What all routines here need. */
 typedef struct {
-    const formula_point *at;
-    frequencies m;
+    const formula_region *at;
     long prec;
 } context;
 
@@ -22,7 +21,7 @@ static status indeterminate(number *z)
 static status evaluate(number *z, const formula *f, const context *c)
 {
     diagnostic unused;
-    status s = formula_range(z, f, c->at, c->m, c->prec, &unused);
+    status s = formula_range(z, f, c->at, c->prec, &unused);
     return s == STATUS_BAD_INPUT ? indeterminate(z) : s;
 }
 
@@ -30,9 +29,13 @@ static status evaluate(number *z, const formula *f, const context *c)
 static void enclose(number *z, const exact_range *x, long prec)
 {
     number high;
+    if (!exact_range_is_bounded(x)) {
+        number_indeterminate(z);
+        return;
+    }
     number_init(&high);
-    number_set_rational(z, &x->low, prec);
-    number_set_rational(&high, &x->high, prec);
+    number_set_rational(z, &x->low.q, prec);
+    number_set_rational(&high, &x->high.q, prec);
     number_hull(z, z, &high, prec);
     if (x->is_angle) {
         number_pi(&high, prec);
@@ -53,9 +56,9 @@ static status has_extreme(bool *has, const exact_range *angle, int remainder, in
     rational_init(&half);
     integer_init(&n);
     /* the greatest such n below high: 2 floor((high - shift/2 - remainder) / 2) + remainder */
-    ok = rational_set_si(&half, shift + 2 * remainder, 2) && rational_sub(&x, &angle->high, &half) && rational_mul_2exp(&x, &x, -1) && rational_floor(&n, &x)
+    ok = rational_set_si(&half, shift + 2 * remainder, 2) && rational_sub(&x, &angle->high.q, &half) && rational_mul_2exp(&x, &x, -1) && rational_floor(&n, &x)
          && rational_set_integer_2exp(&x, &n, 1) && rational_add(&x, &x, &half);
-    *has = ok && rational_cmp(&x, &angle->low) >= 0;
+    *has = ok && rational_cmp(&x, &angle->low.q) >= 0;
     rational_clear(&x);
     rational_clear(&half);
     integer_clear(&n);
@@ -63,31 +66,50 @@ static status has_extreme(bool *has, const exact_range *angle, int remainder, in
 }
 
 /* The values at both ends, and 1 at 2 n pi, -1 at (2 n + 1) pi (sin: pi/2 later), if such a point lies between. */
+static status cos_sin_between(number *z, const exact_range *angle, char function, long prec)
+{
+    number other;
+    status s = STATUS_OK;
+    number_init(&other);
+    (function == 'c' ? number_cos_pi : number_sin_pi)(z, &angle->low.q, prec);
+    (function == 'c' ? number_cos_pi : number_sin_pi)(&other, &angle->high.q, prec);
+    number_hull(z, z, &other, prec);
+    for (int remainder = 0; s == STATUS_OK && remainder < 2; remainder++) {
+        bool has;
+        s = has_extreme(&has, angle, remainder, function == 's');
+        number_set_si(&other, remainder ? -1 : 1, prec);
+        if (s == STATUS_OK && has)
+            number_hull(z, z, &other, prec);
+    }
+    number_clear(&other);
+    return s;
+}
+
+static void hull_of_signs(number *z, long prec)
+{
+    number one;
+    number_init(&one);
+    number_one(&one);
+    number_neg(z, &one);
+    number_hull(z, z, &one, prec);
+    number_clear(&one);
+}
+
 static status cos_sin(number *z, const formula *f, const context *c)
 {
     exact_range angle;
-    number other;
-    bool known;
+    bool known, bounded;
     status s;
     exact_range_init(&angle);
-    number_init(&other);
-    s = formula_exact_range(&angle, &known, f->child[0], c->at, c->m) ? STATUS_OK : STATUS_NO_MEMORY;
-    if (s == STATUS_OK && (!known || (!angle.is_angle && !(rational_is_zero(&angle.low) && rational_is_zero(&angle.high)))))
+    s = formula_exact_range(&angle, &known, f->child[0], c->at) ? STATUS_OK : STATUS_NO_MEMORY;
+    bounded = exact_range_is_bounded(&angle);
+    if (s == STATUS_OK && (!known || (!angle.is_angle && !(bounded && rational_is_zero(&angle.low.q) && rational_is_zero(&angle.high.q)))))
         s = indeterminate(z);
-    else if (s == STATUS_OK) {
-        (f->op == 'c' ? number_cos_pi : number_sin_pi)(z, &angle.low, c->prec);
-        (f->op == 'c' ? number_cos_pi : number_sin_pi)(&other, &angle.high, c->prec);
-        number_hull(z, z, &other, c->prec);
-        for (int remainder = 0; s == STATUS_OK && remainder < 2; remainder++) {
-            bool has;
-            s = has_extreme(&has, &angle, remainder, f->op == 's');
-            number_set_si(&other, remainder ? -1 : 1, c->prec);
-            if (s == STATUS_OK && has)
-                number_hull(z, z, &other, c->prec);
-        }
-    }
+    else if (s == STATUS_OK && bounded)
+        s = cos_sin_between(z, &angle, f->op, c->prec);
+    else if (s == STATUS_OK)
+        hull_of_signs(z, c->prec);
     exact_range_clear(&angle);
-    number_clear(&other);
     return s;
 }
 
@@ -124,7 +146,7 @@ static status power_between(number *z, const rational *x, long low, long high, c
     return s;
 }
 
-/* x^n for an exact x > 0 that does not depend on m, and whole n from low to high: it is monotone in n. */
+/* x^n for an exact x > 0 that does not vary, and whole n from low to high: it is monotone in n. */
 static status power_of_constant(number *z, const rational *x, long low, long high, const context *c)
 {
     rational size;
@@ -155,26 +177,35 @@ static status power_of_enclosure(number *z, const formula *base, long n, const c
     return s;
 }
 
-static bool is_whole(const rational *x)
+/* A whole number, or one beyond all that are computed. */
+static bool is_whole(long *n, const exact_end *x)
 {
-    return rational_is_integer(x) && integer_fits_si(&x->numerator) && integer_bits(&x->numerator) <= 62;
+    const integer *value = &x->q.numerator;
+    if (x->infinity) {
+        *n = x->infinity * (1L << 30);
+        return true;
+    }
+    if (!rational_is_integer(&x->q) || !integer_fits_si(value) || integer_bits(value) > 62)
+        return false;
+    *n = (long)integer_get_si(value);
+    return true;
 }
 
 static status power(number *z, const formula *f, const context *c)
 {
     exact_range base, exponent;
     bool base_known = false, known = false;
+    long low = 0, high = 0;
     status s = STATUS_OK;
     exact_range_init(&base);
     exact_range_init(&exponent);
-    if (!formula_exact_range(&exponent, &known, f->child[1], c->at, c->m) || !formula_exact_range(&base, &base_known, f->child[0], c->at, c->m))
+    if (!formula_exact_range(&exponent, &known, f->child[1], c->at) || !formula_exact_range(&base, &base_known, f->child[0], c->at))
         s = STATUS_NO_MEMORY;
-    known = known && !exponent.is_angle && is_whole(&exponent.low) && is_whole(&exponent.high);
-    base_known = base_known && !base.is_angle && !(f->child[0]->depends & FORMULA_ON_FREQUENCY) && rational_sign(&base.low) > 0;
+    known = known && !exponent.is_angle && is_whole(&low, &exponent.low) && is_whole(&high, &exponent.high);
+    base_known = base_known && !base.is_angle && !(f->child[0]->depends & formula_region_varies(c->at)) && rational_sign(&base.low.q) > 0;
     if (s == STATUS_OK) {
-        long low = known ? (long)integer_get_si(&exponent.low.numerator) : 0, high = known ? (long)integer_get_si(&exponent.high.numerator) : 0;
         if (known && base_known)
-            s = power_of_constant(z, &base.low, low, high, c);
+            s = power_of_constant(z, &base.low.q, low, high, c);
         else if (known && low == high && low >= 1 && low <= MAX_BITS)
             s = power_of_enclosure(z, f->child[0], low, c);
         else
@@ -210,7 +241,7 @@ static status compare(truth *t, const formula *f, const context *c)
 /* Exactly if that settles it, else by enclosures. */
 static status condition(truth *t, const formula *f, const context *c)
 {
-    status s = formula_condition_range(t, f, c->at, c->m) ? STATUS_OK : STATUS_NO_MEMORY;
+    status s = formula_condition_range(t, f, c->at) ? STATUS_OK : STATUS_NO_MEMORY;
     if (s != STATUS_OK || *t != TRUTH_UNKNOWN)
         return s;
     if (f->kind == FORMULA_COMPARE)
@@ -246,7 +277,7 @@ static status cases(number *z, const formula *f, const context *c)
         first = false;
     }
     number_clear(&value);
-    return s == STATUS_OK && t != TRUTH_TRUE ? indeterminate(z) : s; /* there may be an m without a case */
+    return s == STATUS_OK && t != TRUTH_TRUE ? indeterminate(z) : s; /* somewhere there may be none */
 }
 
 static void binary(number *z, const number *y, const formula *f, const context *c)
@@ -291,7 +322,7 @@ static status fold(number *z, const formula *f, const context *c)
     return s;
 }
 
-/* A node that depends on m and whose values are not known exactly. */
+/* A node that varies and whose values are not known exactly. */
 static status inexact(number *z, const formula *f, const context *c)
 {
     switch (f->kind) {
@@ -315,21 +346,17 @@ static status inexact(number *z, const formula *f, const context *c)
     }
 }
 
-status formula_range(number *z, const formula *f, const formula_point *at, frequencies m, long prec, diagnostic *d)
+status formula_range(number *z, const formula *f, const formula_region *at, long prec, diagnostic *d)
 {
-    context c = {at, m, prec};
+    formula_point start = formula_region_start(at);
+    context c = {at, prec};
     exact_range exact;
     bool known;
     status s;
-    if (m.first == m.last) {
-        formula_point here = *at;
-        here.m = m.first;
-        return formula_value(z, f, &here, prec, d);
-    }
-    if (!(f->depends & FORMULA_ON_FREQUENCY))
-        return formula_value(z, f, at, prec, d);
+    if (!(f->depends & formula_region_varies(at)))
+        return formula_value(z, f, &start, prec, d);
     exact_range_init(&exact);
-    s = formula_exact_range(&exact, &known, f, at, m) ? STATUS_OK : STATUS_NO_MEMORY;
+    s = formula_exact_range(&exact, &known, f, at) ? STATUS_OK : STATUS_NO_MEMORY;
     if (s == STATUS_OK && known)
         enclose(z, &exact, prec);
     else if (s == STATUS_OK)

@@ -82,8 +82,8 @@ static block_status make_blocks(block_slope *z, const scheme_numbers *numbers, f
     twist t;
     memset(z, 0, sizeof *z);
     twist_init(&t);
-    if (twist_set_real_range(&t, m, numbers->k, numbers->prec))
-        result = block_slope_make(z, numbers->scheme, numbers->k, m, &t.u, numbers->prec, d);
+    if (twist_set_real_range(&t, m, numbers->k.first, numbers->prec))
+        result = block_slope_make(z, numbers->scheme, numbers->k.first, m, &t.u, numbers->prec, d);
     twist_clear(&t);
     return result;
 }
@@ -145,7 +145,7 @@ monotone_answer monotone_search(monotone_list *list, const scheme_numbers *numbe
 {
     monotone_answer z = {BLOCK_OK, false, start, INFINITY, 0};
     bool forward = goal > start;
-    long width = numbers->k / FIRST_PART + 1;
+    long width = numbers->k.first / FIRST_PART + 1;
     double growth = 2;
     while (z.end != goal && list->count < most && !(z.last_approx < enough)) {
         long left = labs(goal - z.end);

@@ -40,21 +40,42 @@ void scheme_clear(scheme *z)
     scheme_init(z);
 }
 
-status scheme_find_rule(const rule **z, const scheme_step *s, bool at_centre, lattice p, long k, diagnostic *d)
+status scheme_rule_holds(truth *holds, const rule *r, valence_range k, diagnostic *d)
 {
-    formula_point at = {k, 0, 0};
+    formula_region at = {k, one_frequency(0), 0};
+    formula_point start = formula_region_start(&at);
+    bool one;
+    status s;
+    *holds = TRUTH_TRUE;
+    if (!r->condition)
+        return STATUS_OK;
+    if (!is_one_valence(k)) {
+        if (!formula_condition_range(holds, r->condition, &at))
+            return STATUS_NO_MEMORY;
+        if (*holds == TRUTH_UNKNOWN)
+            diagnostic_set(d, r->condition->line, r->condition->column, "this condition is not known to hold, or not to hold, at all valences from %ld on", k.first);
+        return STATUS_OK;
+    }
+    s = formula_condition(&one, r->condition, &start, d);
+    *holds = one ? TRUTH_TRUE : TRUTH_FALSE;
+    return s;
+}
+
+status scheme_find_rule_range(const rule **z, const scheme_step *s, bool at_centre, lattice p, valence_range k, diagnostic *d)
+{
     *z = NULL;
     for (int i = 0; i < s->rule_count; i++) {
         const rule *r = &s->rules[i];
-        bool holds = true;
+        truth holds;
+        status result;
         if (r->at_centre != at_centre || (!at_centre && (r->point.a != p.a || r->point.b != p.b)))
             continue;
-        if (r->condition) {
-            status result = formula_condition(&holds, r->condition, &at, d);
-            if (result != STATUS_OK)
-                return result;
-        }
-        if (holds) {
+        result = scheme_rule_holds(&holds, r, k, d);
+        if (result != STATUS_OK)
+            return result;
+        if (holds == TRUTH_UNKNOWN)
+            return STATUS_BAD_INPUT;
+        if (holds == TRUTH_TRUE) {
             *z = r;
             return STATUS_OK;
         }

@@ -7,7 +7,7 @@
 #ifndef LIB_SCHEME_H
 #define LIB_SCHEME_H
 
-#include "formula.h"
+#include "exact_range.h"
 #include "laurent.h"
 #include "mesh.h"
 #include "text.h"
@@ -84,8 +84,17 @@ void scheme_clear(scheme *z);
 /* Reads the `length` bytes of a scheme file; settings (NULL = none) replace values of its parameters. */
 status scheme_read(scheme *z, const char *bytes, size_t length, const scheme_settings *settings, diagnostic *d);
 
-/* The rule that holds for a new point at valence k, NULL = the mask. */
-status scheme_find_rule(const rule **z, const scheme_step *s, bool at_centre, lattice p, long k, diagnostic *d);
+/* Does the rule's condition hold at all valences of the range, or at none (TRUTH_FALSE), by exact values?  TRUTH_UNKNOWN, with
+   a complaint in *d: that is not known.  At one valence it is, or the answer STATUS_BAD_INPUT. */
+status scheme_rule_holds(truth *holds, const rule *r, valence_range k, diagnostic *d);
+
+/* The rule that holds for a new point at valence k, or at all valences of a range; NULL = the mask.  STATUS_BAD_INPUT: whether
+   it holds is not decided (by exact values), or not the same at all of them. */
+status scheme_find_rule_range(const rule **z, const scheme_step *s, bool at_centre, lattice p, valence_range k, diagnostic *d);
+static inline status scheme_find_rule(const rule **z, const scheme_step *s, bool at_centre, lattice p, long k, diagnostic *d)
+{
+    return scheme_find_rule_range(z, s, at_centre, p, one_valence(k), d);
+}
 
 /* How many old rings new values on rings up to `ring` (and at the centre) need: in one step, and over all steps. */
 int scheme_step_rings_needed(const scheme_step *s, int ring);

@@ -1,9 +1,12 @@
 /* stability.c: bounds of K by convexity, by windows and by a series. */
 #include "stability.h"
 
+#include "growing.h"
 #include "power.h"
 
-/* A bound is improved at one power as often as this, and as long as it falls by more than one part in 256. */
+#include <stdlib.h>
+
+/* A bound is improved at one power as often as this, and as long as it falls. */
 #define MAX_IMPROVEMENTS 12
 
 /* ---- windows ---- */
@@ -20,22 +23,90 @@ static bool share_a_window(const laurent_extent *e, lattice d)
     return true;
 }
 
-/* The largest sum of |p row(x) - q row(x + d)| over all x and all d of one window. */
-static bool largest_in_windows(int64_t *sum, const mask_power *z, const laurent_extent *e, int64_t p, int64_t q)
+/* One d of a window.  Of g_d(K), the largest sum of |(K + 1) row(x) - (K - 1) row(x + d)| over all x (K in units), is
+   known: it is convex, and 2 |S^N| at K = 1; it rises by at most `difference` per unit; and it is `value` at `at`, if that has
+   been computed. */
+typedef struct {
+    lattice d;
+    int64_t difference; /* the largest sum of |row(x) - row(x + d)| */
+    int64_t at, value;  /* at = 0: not computed */
+    double upper;       /* of g_d at the K of the day, up to a few roundings */
+} window_shift;
+
+typedef struct {
+    window_shift *shift; /* all d of one window */
+    size_t count, capacity;
+    int64_t first;       /* |S^N| */
+    int64_t difference;  /* the largest of all d */
+} windows;
+
+static void windows_clear(windows *z)
+{
+    free(z->shift);
+    *z = (windows){NULL, 0, 0, 0, 0};
+}
+
+static bool add_shift(windows *z, lattice d, int64_t difference)
+{
+    window_shift *room = growing_room(z->shift, z->count, &z->capacity, sizeof *room);
+    if (!room)
+        return false;
+    z->shift = room;
+    z->shift[z->count++] = (window_shift){d, difference, 0, 0, 0};
+    z->difference = difference > z->difference ? difference : z->difference;
+    return true;
+}
+
+/* -d gives the same difference as d.  On any result windows_clear. */
+static bool windows_make(windows *z, const mask_power *p, const laurent_extent *e)
 {
     long reach_a = e->high[0] - e->low[0], reach_b = e->high[1] - e->low[1];
-    *sum = 0;
-    for (long a = -reach_a; a <= reach_a; a++)
-        for (long b = -reach_b; b <= reach_b; b++) {
-            lattice d = {(int)a, (int)b};
-            int64_t here;
-            bool mirrored = p == q && (a < 0 || (a == 0 && b < 0)); /* then -d gives the same sum */
-            if (mirrored || !share_a_window(e, d))
+    *z = (windows){NULL, 0, 0, 0, 0};
+    if (!power_largest_difference(&z->first, p, (lattice){0, 0}, 1, 0))
+        return false;
+    for (long a = 0; a <= reach_a; a++)
+        for (long b = a ? -reach_b : 0; b <= reach_b; b++) {
+            lattice d = {(int)a, (int)b}, opposite = {(int)-a, (int)-b};
+            int64_t difference;
+            if (!share_a_window(e, d))
                 continue;
-            if (!power_largest_difference(&here, z, d, p, q))
+            if (!power_largest_difference(&difference, p, d, 1, 1) || !add_shift(z, d, difference) || ((a || b) && !add_shift(z, opposite, difference)))
                 return false;
-            *sum = here > *sum ? here : *sum;
         }
+    return true;
+}
+
+static int by_upper(const void *x, const void *y)
+{
+    const window_shift *a = x, *b = y;
+    return (a->upper < b->upper) - (a->upper > b->upper);
+}
+
+/* By the slope, or by the chord from 1 to a place where g_d was computed. */
+static void bound_shifts(windows *w, int64_t bound)
+{
+    double start = 2.0 * STABILITY_UNIT * (double)w->first, run = (double)(bound - STABILITY_UNIT);
+    for (size_t i = 0; i < w->count; i++) {
+        window_shift *s = &w->shift[i];
+        bool chord = s->at >= bound && bound > STABILITY_UNIT;
+        s->upper = start + run * (chord ? ((double)s->value - start) / (double)(s->at - STABILITY_UNIT) : (double)s->difference);
+    }
+    qsort(w->shift, w->count, sizeof *w->shift, by_upper);
+}
+
+/* g = the largest g_d(K), K = bound / STABILITY_UNIT, over all d; as a numerator over STABILITY_UNIT total_denominator.  Where the upper
+   bounds, which are much more exact than one part in 2^40, say so, there is no need to look. */
+static bool largest_in_windows(int64_t *g, windows *w, const mask_power *z, int64_t bound)
+{
+    *g = 0;
+    bound_shifts(w, bound);
+    for (size_t i = 0; i < w->count && w->shift[i].upper * (1 + 0x1p-40) > (double)*g; i++) {
+        window_shift *s = &w->shift[i];
+        if (!power_largest_difference(&s->value, z, s->d, bound + STABILITY_UNIT, bound - STABILITY_UNIT))
+            return false;
+        s->at = bound;
+        *g = s->value > *g ? s->value : *g;
+    }
     return true;
 }
 
@@ -54,10 +125,10 @@ static bool is_usable(const mask_power *z, const laurent_extent *e)
 
 /* g = G(bound), the largest norm of (1 + K)/2 row(x) - (K - 1)/2 row(x'), K = bound / STABILITY_UNIT, as a numerator
    over 2 STABILITY_UNIT total_denominator.  false in *fits: too large for a word. */
-static bool window_function(int64_t *g, bool *fits, const mask_power *z, const laurent_extent *e, int64_t bound)
+static bool window_function(int64_t *g, bool *fits, windows *w, const mask_power *z, int64_t bound)
 {
     *fits = bound <= STABILITY_MAX_BOUND && bound <= POWER_MAX_SUM / 4 / z->row_sum;
-    return !*fits || largest_in_windows(g, z, e, bound + STABILITY_UNIT, bound - STABILITY_UNIT);
+    return !*fits || largest_in_windows(g, w, z, bound);
 }
 
 /* z = x / y rounded up to a multiple of 1 / STABILITY_UNIT, as that multiple, y > 0. */
@@ -92,29 +163,27 @@ static bool solve(int64_t *bound, int64_t first, const integer *rise, const inte
 
 /* The bound by the slope of G at infinity, half the largest difference of two rows; INT64_MAX: the slope is not below
    1, and S^N proves nothing. */
-static bool bound_by_difference(int64_t *bound, const mask_power *z, const laurent_extent *e, int64_t first)
+static bool bound_by_difference(int64_t *bound, windows *w, const mask_power *z)
 {
     bool ok;
-    int64_t difference;
     integer rise, two;
     integer_init(&rise);
     integer_init(&two);
     integer_set_si(&two, 2);
-    ok = largest_in_windows(&difference, z, e, 1, 1);
-    integer_set_si(&rise, ok ? difference : 0);
-    ok = ok && solve(bound, first, &rise, &two, &z->total_denominator);
+    integer_set_si(&rise, w->difference);
+    ok = solve(bound, w->first, &rise, &two, &z->total_denominator);
     integer_clear(&rise);
     integer_clear(&two);
     return ok;
 }
 
 /* A bound > 1 replaced by the one where the chord of G from 1 to it meets the diagonal. */
-static bool improve_by_chord(int64_t *bound, const mask_power *z, const laurent_extent *e, int64_t first)
+static bool improve_by_chord(int64_t *bound, windows *w, const mask_power *z)
 {
     bool ok, fits;
     int64_t g, better;
     integer rise, run, t;
-    if (!window_function(&g, &fits, z, e, *bound))
+    if (!window_function(&g, &fits, w, z, *bound))
         return false;
     if (!fits)
         return true;
@@ -123,8 +192,8 @@ static bool improve_by_chord(int64_t *bound, const mask_power *z, const laurent_
     integer_init(&t);
     integer_set_si(&rise, g); /* over 2 unit total_denominator; run over unit, so count it over 2 unit as well */
     integer_set_si(&run, 2 * (*bound - STABILITY_UNIT));
-    integer_set_si(&t, first);
-    ok = integer_mul_si(&t, &t, 2 * STABILITY_UNIT) && integer_sub(&rise, &rise, &t) && solve(&better, first, &rise, &run, &z->total_denominator);
+    integer_set_si(&t, w->first);
+    ok = integer_mul_si(&t, &t, 2 * STABILITY_UNIT) && integer_sub(&rise, &rise, &t) && solve(&better, w->first, &rise, &run, &z->total_denominator);
     if (ok && better < *bound)
         *bound = better;
     integer_clear(&rise);
@@ -134,26 +203,35 @@ static bool improve_by_chord(int64_t *bound, const mask_power *z, const laurent_
 }
 
 /* Improves a bound that is proved (INT64_MAX: none is) by the windows of S^N. */
-static bool improve_by_windows(int64_t *bound, const mask_power *z, const laurent_extent *e)
+static bool improve_by_windows(int64_t *bound, windows *w, const mask_power *z)
 {
-    int64_t first, before;
-    if (!power_largest_difference(&first, z, (lattice){0, 0}, 1, 0) || !bound_by_difference(&before, z, e, first))
+    int64_t before;
+    if (!bound_by_difference(&before, w, z))
         return false;
     if (before == INT64_MAX)
         return true;
     *bound = before < *bound ? before : *bound;
     for (int i = 0; i < MAX_IMPROVEMENTS && *bound > STABILITY_UNIT; i++) {
         before = *bound;
-        if (!improve_by_chord(bound, z, e, first))
+        if (!improve_by_chord(bound, w, z))
             return false;
-        if (before - *bound <= before / 256)
+        if (before == *bound)
             break;
     }
     return true;
 }
 
-/* All powers of s as long as the limits of words and of work allow. */
-static bool try_windows(stability *z, const laurent *s)
+/* Could S^(N+1) still be used?  Its box is that of S^N and 2^N times that of s. */
+static bool is_next_usable(const mask_power *z, const laurent *s, const laurent_extent *e)
+{
+    mask_power next = *z;
+    next.na += (s->na - 1) << z->exponent;
+    next.nb += (s->nb - 1) << z->exponent;
+    return is_usable(&next, e);
+}
+
+/* The powers of s as long as the limits of words and of work allow: the last one, which as a rule is the best, or all. */
+static bool try_powers(stability *z, const laurent *s, bool all)
 {
     laurent_extent e = laurent_get_extent(s);
     mask_power p;
@@ -161,11 +239,13 @@ static bool try_windows(stability *z, const laurent *s)
     bool ok = true;
     power_init(&p);
     status = power_start(&p, s, true);
-    while (ok && status == POWER_OK && (status = power_raise(&p)) == POWER_OK) {
+    while (ok && status == POWER_OK && (status = power_raise(&p)) == POWER_OK && is_usable(&p, &e)) {
         int64_t bound = z->bound;
-        if (!is_usable(&p, &e))
-            break;
-        ok = improve_by_windows(&bound, &p, &e);
+        windows w;
+        if (!all && is_next_usable(&p, s, &e))
+            continue;
+        ok = windows_make(&w, &p, &e) && improve_by_windows(&bound, &w, &p);
+        windows_clear(&w);
         if (ok && bound < z->bound)
             *z = (stability){STABILITY_WINDOW, bound, p.exponent};
     }
@@ -173,13 +253,18 @@ static bool try_windows(stability *z, const laurent *s)
     return ok && status != POWER_NO_MEMORY;
 }
 
-/* G(bound) <= bound, and the slope of G at infinity is below 1. */
-static bool verify(bool *proved, const mask_power *z, const laurent_extent *e, int64_t bound)
+static bool try_windows(stability *z, const laurent *s)
 {
-    int64_t difference, g;
+    return try_powers(z, s, false) && (z->kind != STABILITY_NONE || try_powers(z, s, true));
+}
+
+/* G(bound) <= bound, and the slope of G at infinity is below 1. */
+static bool verify(bool *proved, windows *w, const mask_power *z, int64_t bound)
+{
+    int64_t g;
     bool fits, ok;
     integer limit;
-    if (!largest_in_windows(&difference, z, e, 1, 1) || !window_function(&g, &fits, z, e, bound))
+    if (!window_function(&g, &fits, w, z, bound))
         return false;
     if (!fits)
         return true;
@@ -187,7 +272,7 @@ static bool verify(bool *proved, const mask_power *z, const laurent_extent *e, i
     ok = integer_mul_si(&limit, &z->total_denominator, 2 * bound);
     *proved = ok && integer_cmp_si(&limit, g) >= 0;
     ok = ok && integer_mul_si(&limit, &z->total_denominator, 2);
-    *proved = *proved && ok && integer_cmp_si(&limit, difference) > 0;
+    *proved = *proved && ok && integer_cmp_si(&limit, w->difference) > 0;
     integer_clear(&limit);
     return ok;
 }
@@ -196,6 +281,7 @@ bool stability_verify_window(bool *proved, const laurent *s, int exponent, int64
 {
     laurent_extent e = laurent_get_extent(s);
     mask_power p;
+    windows w;
     power_status status;
     bool ok = true;
     *proved = false;
@@ -203,8 +289,10 @@ bool stability_verify_window(bool *proved, const laurent *s, int exponent, int64
     status = power_start(&p, s, true);
     while (status == POWER_OK && p.exponent < exponent)
         status = power_raise(&p);
-    if (status == POWER_OK && bound > STABILITY_UNIT && bound <= STABILITY_MAX_BOUND && is_usable(&p, &e))
-        ok = verify(proved, &p, &e, bound);
+    if (status == POWER_OK && bound > STABILITY_UNIT && bound <= STABILITY_MAX_BOUND && is_usable(&p, &e)) {
+        ok = windows_make(&w, &p, &e) && verify(proved, &w, &p, bound);
+        windows_clear(&w);
+    }
     power_clear(&p);
     return ok && status != POWER_NO_MEMORY;
 }

@@ -2,6 +2,7 @@
 #include "step.h"
 
 #include "formula_range.h"
+#include "scheme_range.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -31,15 +32,14 @@ static void add_matrix(pair_matrix *z, const number *weight, const pair_matrix *
 typedef struct {
     scheme_numbers *z;
     const twist *twist;
-    formula_point at;
-    frequencies m;
+    formula_region at;
     diagnostic *complaint;
     number one;
 } evaluation;
 
 static status value_of(number *x, const formula *f, evaluation *e)
 {
-    return NUMBER_NAME(formula_range)(x, f, &e->at, e->m, e->z->prec, e->complaint);
+    return NUMBER_NAME(formula_range)(x, f, &e->at, e->z->prec, e->complaint);
 }
 
 /* z = t^n. */
@@ -68,11 +68,11 @@ static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
     return true;
 }
 #else
-/* z = t^j for one frequency, from the angle: high powers of an enclosure of t would be no use.  In the real form, where
+/* z = t^j for one valence and frequency, from the angle: high powers of an enclosure of t would be no use.  In the real form, where
    (x, y) is x + i h y with h = sin(w/2), multiplication by c + i s is (c, -h s; s/h, c). */
 static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
 {
-    long m = e->m.first, k = e->z->k;
+    long m = e->at.m.first, k = e->at.k.first;
     rational angle;
     number h;
     bool ok;
@@ -107,16 +107,18 @@ static status sum_over_sectors(pair_matrix *z, number *total, const source *s, e
     status result = STATUS_OK;
     pair_matrix power;
     number weight;
-    if (e->z->k > MAX_SECTORS)
+    if (!is_one_valence(e->at.k))
+        return diagnostic_set(e->complaint, s->weight->line, s->weight->column, "a weight for each sector has no meaning for several valences at once; use 'spectrum'");
+    if (e->at.k.first > MAX_SECTORS)
         return diagnostic_set(e->complaint, s->weight->line, s->weight->column, "a weight for each sector is given up to valence %d only; use 'spectrum'", MAX_SECTORS);
-    if (e->m.first != e->m.last) {
+    if (e->at.m.first != e->at.m.last) {
         make_indeterminate(z);
         number_indeterminate(total);
         return STATUS_OK;
     }
     pair_matrix_init(&power);
     number_init(&weight);
-    for (e->at.j = 0; result == STATUS_OK && e->at.j < e->z->k; e->at.j++) {
+    for (e->at.j = 0; result == STATUS_OK && e->at.j < e->at.k.first; e->at.j++) {
         result = value_of(&weight, s->weight, e);
         if (result == STATUS_OK && !twist_of_sector(&power, e, e->at.j))
             result = STATUS_NO_MEMORY;
@@ -128,15 +130,16 @@ static status sum_over_sectors(pair_matrix *z, number *total, const source *s, e
     return result;
 }
 
-/* The imaginary part of a spectrum.  At m = k/2 real weights leave none. */
+/* The imaginary part of a spectrum, at one valence.  At m = k/2 real weights leave none. */
 static status value_of_imaginary(number *z, const source *s, evaluation *e)
 {
-    bool has_half = e->m.last == e->z->k - e->m.last;
+    frequencies m = e->at.m;
+    bool has_half = m.last == e->at.k.first - m.last;
     status result = STATUS_OK;
     number zero;
     number_init(&zero);
     number_zero(z);
-    if (!has_half || e->m.first != e->m.last)
+    if (!has_half || m.first != m.last)
         result = value_of(z, s->imaginary, e);
     if (has_half)
         number_hull(z, z, &zero, e->z->prec);
@@ -150,9 +153,9 @@ static status value_of_spectrum(pair_matrix *z, number *total, const source *s, 
     status result;
     number imaginary;
     number_init(&imaginary);
-    e->m = one_frequency(0);
+    e->at.m = one_frequency(0);
     result = value_of(total, s->weight, e);
-    e->m = e->z->m;
+    e->at.m = e->z->m;
     if (result == STATUS_OK)
         result = value_of(&z->xx, s->weight, e);
     if (result == STATUS_OK)
@@ -232,14 +235,14 @@ static status set_rule(rule_numbers *z, evaluation *e)
 
 /* ---- making ---- */
 
-static status collect_rules(step_numbers *z, const scheme_step *step, long k, diagnostic *d)
+static status collect_rules(step_numbers *z, const scheme_step *step, valence_range k, diagnostic *d)
 {
     z->rules = calloc((size_t)step->rule_count + 1, sizeof *z->rules);
     if (!z->rules)
         return STATUS_NO_MEMORY;
     for (int i = 0; i < step->rule_count; i++) {
         const rule *holds;
-        status s = scheme_find_rule(&holds, step, step->rules[i].at_centre, step->rules[i].point, k, d);
+        status s = scheme_find_rule_range(&holds, step, step->rules[i].at_centre, step->rules[i].point, k, d);
         if (s != STATUS_OK)
             return s;
         if (holds == &step->rules[i])
@@ -248,9 +251,15 @@ static status collect_rules(step_numbers *z, const scheme_step *step, long k, di
     return STATUS_OK;
 }
 
-status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec, diagnostic *d)
+status scheme_numbers_make_range(scheme_numbers *z, const scheme *s, valence_range k, long prec, diagnostic *d)
 {
+    truth decided;
     memset(z, 0, sizeof *z);
+    if (!is_one_valence(k)) {
+        status result = scheme_rules_decided(&decided, s, k, d);
+        if (result != STATUS_OK || decided != TRUTH_TRUE)
+            return result == STATUS_NO_MEMORY ? result : STATUS_BAD_INPUT;
+    }
     z->scheme = s;
     z->k = k;
     z->prec = prec;
@@ -270,8 +279,7 @@ status scheme_numbers_set_frequencies(scheme_numbers *z, frequencies m, const tw
     status result = STATUS_OK;
     e.z = z;
     e.twist = t;
-    e.at = (formula_point){z->k, m.first, 0};
-    e.m = m;
+    e.at = (formula_region){z->k, m, 0};
     e.complaint = d;
     number_init(&e.one);
     number_one(&e.one);

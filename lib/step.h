@@ -1,12 +1,14 @@
 /* step.h: the steps of a scheme applied to sector nets: masks, and rules near the extraordinary vertex, for one valence
-   and one frequency or a range of them.  Compiled once per number system. */
+   and one frequency or ranges of them.  Compiled once per number system. */
 #ifndef LIB_STEP_H
 #define LIB_STEP_H
 
+#include "exact_range.h"
 #include "scheme.h"
 #include "sector.h"
 
 #define scheme_numbers_make NUMBER_NAME(scheme_numbers_make)
+#define scheme_numbers_make_range NUMBER_NAME(scheme_numbers_make_range)
 #define scheme_numbers_set_frequency NUMBER_NAME(scheme_numbers_set_frequency)
 #define scheme_numbers_set_frequencies NUMBER_NAME(scheme_numbers_set_frequencies)
 #define scheme_numbers_free NUMBER_NAME(scheme_numbers_free)
@@ -23,20 +25,25 @@ typedef struct {
 
 typedef struct {
     mask_numbers mask;
-    rule_numbers *rules; /* those that hold at this valence */
+    rule_numbers *rules; /* those that hold at these valences */
     int rule_count;
 } step_numbers;
 
 typedef struct {
     const scheme *scheme;
-    long k;
+    valence_range k;
     frequencies m;
     long prec;
     step_numbers steps[SCHEME_MAX_STEPS];
 } scheme_numbers;
 
-/* Everything that does not depend on the frequency.  On any status scheme_numbers_free. */
-status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec, diagnostic *d);
+/* Everything that does not depend on the frequency, for all valences of the range at once.  STATUS_BAD_INPUT also: some
+   rule's condition is not decided for them together (scheme_rules_decided).  On any status scheme_numbers_free. */
+status scheme_numbers_make_range(scheme_numbers *z, const scheme *s, valence_range k, long prec, diagnostic *d);
+static inline status scheme_numbers_make(scheme_numbers *z, const scheme *s, long k, long prec, diagnostic *d)
+{
+    return scheme_numbers_make_range(z, s, one_valence(k), prec, d);
+}
 /* The rules for all frequencies of the range at once, with the twist that the nets will have (NULL for m = 0, which is
    a range of its own). */
 status scheme_numbers_set_frequencies(scheme_numbers *z, frequencies m, const twist *t, diagnostic *d);

@@ -43,7 +43,16 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_survey.c \
   verify/analysis.c
 
+# Compiled for affine numbers of every kind, too.
+VERIFY_AFFINE_SOURCES = \
+  verify/adaptive.h verify/adaptive.c \
+  verify/tests.h \
+  verify/regularity_test.c \
+  verify/injectivity_test.c \
+  verify/zero_free_test.c
+
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
+AFFINE_SOURCES += $(VERIFY_AFFINE_SOURCES)
 
 noinst_LIBRARIES += libverify.a
 libverify_a_SOURCES = $(VERIFY_SOURCES)
@@ -59,4 +68,4 @@ smoothcert_SOURCES = \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/uniform.md verify/scheme-0.md
+EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/certificate-valences.md verify/uniform.md verify/scheme-0.md

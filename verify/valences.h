@@ -2,6 +2,7 @@
 #ifndef VERIFY_VALENCES_H
 #define VERIFY_VALENCES_H
 
+#include "../lib/exact_range.h"
 #include "choices.h"
 
 #include <stddef.h>
@@ -9,10 +10,6 @@
 /* A list is examined one by one, up to so many of them. */
 #define VALENCES_MAX 100000
 #define VALENCES_MAX_RANGES 1000
-
-typedef struct {
-    long first, last;
-} valence_range;
 
 typedef struct {
     valence_range range[VALENCES_MAX_RANGES]; /* increasing, with gaps between them */

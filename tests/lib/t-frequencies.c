@@ -40,14 +40,16 @@ static formula *read_formula(const char *text)
 static void check_formula(const char *text, long k, frequencies m)
 {
     formula *f = read_formula(text);
-    formula_point at = {k, 0, 0};
+    formula_region at = {one_valence(k), m, 0};
     number range, one;
     diagnostic d;
     number_init(&range), number_init(&one);
-    CHECK(NUMBER_NAME(formula_range)(&range, f, &at, m, 64, &d) == STATUS_OK || m.first == m.last, "'%s', k = %ld, %ld to %ld: %s", text, k, m.first, m.last, d.text);
-    for (long l = m.first; l <= m.last; l++)
-        if (NUMBER_NAME(formula_range)(&one, f, &at, one_frequency(l), FINE, &d) == STATUS_OK)
+    CHECK(NUMBER_NAME(formula_range)(&range, f, &at, 64, &d) == STATUS_OK || m.first == m.last, "'%s', k = %ld, %ld to %ld: %s", text, k, m.first, m.last, d.text);
+    for (long l = m.first; l <= m.last; l++) {
+        formula_region point = {one_valence(k), one_frequency(l), 0};
+        if (NUMBER_NAME(formula_range)(&one, f, &point, FINE, &d) == STATUS_OK)
             CHECK(meets(&one, &range), "'%s' at k = %ld, m = %ld is not in the range of %ld to %ld", text, k, l, m.first, m.last);
+    }
     formula_free(f);
     number_clear(&range), number_clear(&one);
 }
@@ -79,11 +81,11 @@ static void test_formulas(void)
 static void check_range(const char *text, long k, frequencies m, double low, double high)
 {
     formula *f = read_formula(text);
-    formula_point at = {k, 0, 0};
+    formula_region at = {one_valence(k), m, 0};
     number range;
     diagnostic d;
     number_init(&range);
-    CHECK(NUMBER_NAME(formula_range)(&range, f, &at, m, 64, &d) == STATUS_OK, "'%s': %s", text, d.text);
+    CHECK(NUMBER_NAME(formula_range)(&range, f, &at, 64, &d) == STATUS_OK, "'%s': %s", text, d.text);
     CHECK(number_lower_bound(&range) <= low && number_lower_bound(&range) >= low - SLACK, "'%s' is at least %.17g, not %.17g", text, low, number_lower_bound(&range));
     CHECK(number_upper_bound(&range) >= high && number_upper_bound(&range) <= high + SLACK, "'%s' is at most %.17g, not %.17g", text, high, number_upper_bound(&range));
     formula_free(f);
@@ -132,9 +134,9 @@ static void check_contains(const block *range, const block *one, const scheme *s
 {
     CHECK(range->n == one->n && !range->imaginary == !one->imaginary, "the shapes differ");
     for (int i = 0; range->n == one->n && i < one->n * one->n; i++) {
-        CHECK(meets(&one->entry[i], &range->entry[i]), "%s, k = %ld: entry %d of block %ld is not in that of %ld to %ld", s->name, one->k, i, one->m, range->m, range->last);
+        CHECK(meets(&one->entry[i], &range->entry[i]), "%s, k = %ld: entry %d of block %ld is not in that of %ld to %ld", s->name, one->k.first, i, one->m, range->m, range->last);
         if (one->imaginary)
-            CHECK(meets(&one->imaginary[i], &range->imaginary[i]), "%s, k = %ld: imaginary entry %d of block %ld is not in that of %ld to %ld", s->name, one->k, i, one->m, range->m, range->last);
+            CHECK(meets(&one->imaginary[i], &range->imaginary[i]), "%s, k = %ld: imaginary entry %d of block %ld is not in that of %ld to %ld", s->name, one->k.first, i, one->m, range->m, range->last);
     }
 }
 

@@ -111,7 +111,7 @@ static int irregular_points(const setting *z, int j)
 
 static void check_point(const setting *z, int level, int a, int b)
 {
-    CHECK(follows_mask(z, level, a, b), "%s, k = %ld, level %d: the used point (%d,%d) does not follow the mask", z->scheme.name, z->numbers.k, level, a, b);
+    CHECK(follows_mask(z, level, a, b), "%s, k = %ld, level %d: the used point (%d,%d) does not follow the mask", z->scheme.name, z->numbers.k.first, level, a, b);
 }
 
 static void check_element(const setting *z, element_type type, int a, int b, int level)
