@@ -76,13 +76,31 @@ tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
+# The checker as a program, judged by the prover.
+CERTIFICATE_TESTS = \
+  tests/certificates/t-mutate \
+  tests/certificates/t-radius
+CORPUS_SOURCES = \
+  tests/certificates/mutations.h tests/certificates/mutations.c \
+  tests/certificates/corpus.h tests/certificates/corpus.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
+tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
+tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
+
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
   tests/check/t-check-spectrum \
   tests/check/t-check-ranges
+  tests/check/t-check-geometry \
+  tests/check/t-check-spectrum
 tests_check_t_check_units_CPPFLAGS =
+tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
+tests_check_t_check_geometry_CPPFLAGS =
+tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-check-geometry.c
+tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
 tests_check_t_check_ranges_CPPFLAGS =
@@ -126,7 +144,6 @@ SCRIPT_TESTS = \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
-  tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
@@ -154,7 +171,7 @@ EXTRA_DIST += \
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
-  $(CHECK_TESTS) $(SCRIPT_TESTS)
+  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(SCRIPT_TESTS)
 
 # What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
 check_PROGRAMS += tests/faults/crash
@@ -166,6 +183,8 @@ $(PRELOADED): tests/faults/preload.c
 	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
 check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
+check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
+  $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
 CLEANFILES += $(ALL_GENERIC_TESTS)
 
@@ -227,3 +246,15 @@ EXTRA_DIST += tests/bigfloat/mutate-constants $(MUTATIONS)
 mutate-constants:
 	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
 	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)
+
+# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers; SMOOTHCERT_SEED
+# chooses others.
+MUTANTS = 100
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+.PHONY: mutate
+mutate: all tests/certificates/t-mutate
+	@$(MKDIR_P) mutate
+	@$(CC) $(SANITIZE) -o mutate/smoothcert-check $(srcdir)/verify/check/*.c
+	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
+	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
+	  $(abs_builddir)/tests/certificates/t-mutate
