@@ -260,6 +260,8 @@ static bool is_worth_keeping(const answer *a)
     return d->verdict != VERDICT_UNDECIDED || (d->outcome != OUTCOME_NO_MEMORY && d->outcome != OUTCOME_BAD_INPUT && !deadline_interrupted());
 }
 
+_Static_assert((int)KEEPER_GROUP_MAX <= (int)ARCHIVE_GROUP_MAX, "a group of the keeper is one of the archive");
+
 /* Makes the answers durable; only then are they told. */
 static bool keep_all(prove_run *r, answer *const *answers, int count)
 {

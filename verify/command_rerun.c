@@ -62,7 +62,13 @@ static bool search(decision *d, const rerun_run *r, const examination *x)
 static int keep(rerun_run *r, const decision *d)
 {
     char *certificate = NULL;
-    bool ok = archive_keep(&r->archive, &certificate, d, EARLIER_NONE) == ARCHIVE_OK && archive_commit(&r->archive) == ARCHIVE_OK;
+    buffer bytes;
+    archive_earlier earlier;
+    bool ok;
+    buffer_init(&bytes);
+    earlier = archive_read(&r->archive, &bytes, one_valence(d->valence));
+    buffer_clear(&bytes);
+    ok = archive_keep(&r->archive, &certificate, d, earlier) == ARCHIVE_OK && archive_commit(&r->archive) == ARCHIVE_OK;
     free(certificate);
     return ok ? 0 : complain_of_file(r->out);
 }

@@ -25,21 +25,20 @@ states() { # SCENARIO COMMAND
   holds "$1-states" $? "$result $(cat stderr)"
 }
 
+# How many there are depends on how the answers came in groups: the run that makes no Nth ends the test.
 each_fsync() { # SCENARIO
-  rm -rf t record
-  $1
-  count=$(grep -c '^fsync' record)
   n=0
   unnoticed=
-  while [ $n -lt "$count" ]; do
+  while :; do
     n=$((n + 1))
     rm -rf t record
-    $1 FAULTS_SWALLOW=$n
+    $1 FAULTS_SWALLOW=$n FAULTS_COUNT=count
+    [ "$(sed -n 's/^fsync //p' count)" -ge $n ] || break
     "$crash" record output t/d >result 2>stderr
     [ $? -eq 1 ] || unnoticed="$unnoticed $n"
   done
-  [ "$count" -ge 10 ] && [ -z "$unnoticed" ]
-  holds "$1-each-fsync-is-needed" $? "of $count fsyncs these are not noticed when they are missing:$unnoticed"
+  [ $n -gt 10 ] && [ -z "$unnoticed" ]
+  holds "$1-each-fsync-is-needed" $? "of $((n - 1)) fsyncs these are not noticed when they are missing:$unnoticed"
 }
 
 {

@@ -6,7 +6,7 @@
 set -u
 suite=failing
 . "$SRCDIR/tests/faults/common.sh"
-: "${FAULTS_MALLOCS:=499}"
+: "${FAULTS_MALLOCS:=997}"
 
 # The lines of a run without times and places.
 verdicts() { sed -e 's/;.*//' "$1"; }
@@ -68,6 +68,8 @@ scenario() { # NAME STATUS ARGUMENT...
 everything() {
   scenario proved 0 loop --valence 3..4
   for kind in open write fsync rename close mkdir; do each $kind 5 1; done
+  each mkdir 30 1 # a read-only file system
+  each open 13 9  # no permission
   # A disk that is full from some moment on: ENOSPC.
   n=1
   while [ $n -le 8 ]; do
