@@ -4,6 +4,7 @@
 
 #include "archive.h"
 #include "archive_run.h"
+#include "command_out.h"
 #include "command_scheme.h"
 #include "escalate.h"
 #include "keeper.h"
@@ -157,32 +158,14 @@ static void name_archive(char *name, size_t size, const prove_run *r)
     }
 }
 
-static int complain_of_archive(const char *path, archive_status why)
-{
-    switch (why) {
-    case ARCHIVE_OTHER_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
-    case ARCHIVE_NO_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds certificates but no " ARCHIVE_SCHEME "; name another directory with --out", path);
-    case ARCHIVE_BUSY:
-        return complain(EXIT_IO, "%s: another run is at work there; wait for its end, or name another directory with --out", path);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
-    }
-}
-
 static int open_archive(prove_run *r)
 {
     char name[SCHEME_NAME_MAX + 128];
     const char *path = r->options.out;
-    archive_status opened;
     if (path && !strcmp(path, "none"))
         return -1;
     name_archive(name, sizeof name, r);
-    if (!path)
-        path = name;
-    opened = archive_open(&r->archive, path, &r->scheme, &r->command);
-    return opened == ARCHIVE_OK ? -1 : complain_of_archive(path, opened);
+    return command_open_archive(&r->archive, path ? path : name, &r->scheme, &r->command);
 }
 
 /* ---- the answers ---- */
@@ -329,22 +312,6 @@ static void heed_interrupts(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
-static int write_index(prove_run *r)
-{
-    valence_range pair[2];
-    char first[VALENCE_RANGE_TEXT], second[VALENCE_RANGE_TEXT];
-    switch (archive_write_index(&r->archive, pair)) {
-    case ARCHIVE_OK:
-        return r->result;
-    case ARCHIVE_CONTRADICTION:
-        valence_range_print(first, pair[0]);
-        valence_range_print(second, pair[1]);
-        return complain(EXIT_FAULT, "%s: the certificates for %s and for %s contradict each other: this is a fault of the program", r->archive.path, first, second);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/" ARCHIVE_INDEX ": %s", r->archive.path, strerror(errno));
-    }
-}
-
 static int decide_all(prove_run *r)
 {
     workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
@@ -356,8 +323,11 @@ static int decide_all(prove_run *r)
     progress_clear(&r->progress);
     if (!ran)
         return complain(EXIT_NO_MEMORY, "no memory");
-    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
-        r->result = write_index(r);
+    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT) {
+        int written = command_write_index(&r->archive);
+        if (written)
+            return written;
+    }
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;

@@ -5,6 +5,7 @@
 #include "archive.h"
 #include "archive_run.h"
 #include "command_certificates.h"
+#include "command_out.h"
 #include "command_scheme.h"
 #include "rerun_report.h"
 
@@ -125,21 +126,6 @@ static int search_and_report(rerun_run *r, const char *file, const examination *
     return result;
 }
 
-static int open_archive(rerun_run *r)
-{
-    switch (archive_open(&r->archive, r->out, &r->subject.scheme, &r->command)) {
-    case ARCHIVE_OK:
-        return 0;
-    case ARCHIVE_OTHER_SCHEME:
-    case ARCHIVE_NO_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", r->out);
-    case ARCHIVE_BUSY:
-        return complain(EXIT_IO, "%s: another run is at work there", r->out);
-    default:
-        return complain_of_file(r->out);
-    }
-}
-
 /* All certificates of one run that keeps what it finds must be of one scheme. */
 static int prepare_archive(rerun_run *r, const char *file, const examination *x)
 {
@@ -148,8 +134,10 @@ static int prepare_archive(rerun_run *r, const char *file, const examination *x)
     bool same;
     if (!r->out)
         return 0;
-    if (!r->archive.path)
-        return open_archive(r);
+    if (!r->archive.path) {
+        int opened = command_open_archive(&r->archive, r->out, &r->subject.scheme, &r->command);
+        return opened < 0 ? 0 : opened;
+    }
     path = durable_path(r->archive.path, ARCHIVE_SCHEME);
     buffer_init(&kept);
     same = path && buffer_read_file(&kept, path, ARCHIVE_MAX_BYTES) && statement_is_about(&x->claim, kept.bytes, kept.length);
@@ -184,19 +172,6 @@ static int rerun_certificate(const char *file, void *data)
 }
 
 /* ---- all of them ---- */
-
-static int write_index(rerun_run *r)
-{
-    valence_range pair[2];
-    switch (archive_write_index(&r->archive, pair)) {
-    case ARCHIVE_OK:
-        return 0;
-    case ARCHIVE_CONTRADICTION:
-        return complain(EXIT_FAULT, "%s: two of its certificates contradict each other: this is a fault of the program", r->out);
-    default:
-        return complain_of_file(r->out);
-    }
-}
 
 static int read_option(rerun_run *r, int option, const char *value)
 {
@@ -254,7 +229,7 @@ int command_rerun(int argc, char **argv)
     for (int i = optind; result == 0 && i < argc; i++)
         result = for_each_certificate(argv[i], rerun_certificate, &r);
     if (result == 0)
-        result = write_index(&r);
+        result = command_write_index(&r.archive);
     archive_clear(&r.archive);
     examine_subject_clear(&r.subject);
     buffer_clear(&r.command);
