@@ -91,10 +91,9 @@ tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
+  tests/check/t-check-geometry \
   tests/check/t-check-spectrum \
   tests/check/t-check-ranges
-  tests/check/t-check-geometry \
-  tests/check/t-check-spectrum
 tests_check_t_check_units_CPPFLAGS =
 tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
@@ -182,7 +181,6 @@ CLEANFILES += $(PRELOADED)
 $(PRELOADED): tests/faults/preload.c
 	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
-check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
 check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
   $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
