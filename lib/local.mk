@@ -70,6 +70,7 @@ LIB_AFFINE_SOURCES = \
   lib/formula_range.h \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \

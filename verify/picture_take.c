@@ -218,7 +218,7 @@ outcome picture_take(picture *p, analysis *a)
     outcome o = OUTCOME_NO_MEMORY;
     if (number_is_positive(&a->scale) != TRUTH_TRUE) /* no eigenpair was proved */
         return OUTCOME_FALSE;
-    p->valence = a->choices->valence;
+    p->valence = a->choices->k.first;
     p->frequency = a->choices->frequency;
     p->re = number_mid_approx(eigenvalue);
     p->im = a->choices->eigenpair.complex_form ? number_mid_approx(eigenvalue + 1) : 0;

@@ -14,7 +14,7 @@ static void take(picture *p, findings *f, const subject *s, long k)
     analysis_plan plan = {.problem = &s->problem, .deadline = &never, .system = "interval", .max_level = 12, .picture = p};
     choices c;
     choices_init(&c);
-    c.valence = k;
+    c.k = one_valence(k);
     picture_init(p, true);
     CHECK(analysis_search(f, &c, &plan, 0) == OUTCOME_TRUE && p->taken, "valence %ld is not proved, or no picture was taken", k);
     choices_clear(&c);
