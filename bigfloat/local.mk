@@ -20,6 +20,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/rational_text.c \
   \
   bigfloat/number_common.h bigfloat/number_array.h \
+  bigfloat/cosines.h bigfloat/cosines.c \
   \
   bigfloat/ball.h bigfloat/ball_internal.h bigfloat/ball_fixed.h \
   bigfloat/ball.c \

@@ -17,6 +17,9 @@ LIB_SOURCES = \
   lib/decomposition.h lib/decomposition.c \
   lib/stability.h lib/stability.c \
   lib/regular_refutation.h lib/regular_refutation.c \
+  lib/number_field.h lib/number_field.c \
+  lib/field_polynomial.h lib/field_polynomial.c \
+  lib/field_matrix.h lib/field_matrix.c \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
@@ -75,6 +78,15 @@ LIB_AFFINE_SOURCES = \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
+# Compiled for exact numbers of a field of cosines, too.
+LIB_COSINES_SOURCES = \
+  lib/formula_value.h lib/formula_value.c \
+  lib/formula_range.h lib/formula_range.c \
+  lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
+  lib/block.h lib/block.c \
+  lib/exact_block.h lib/exact_block.c
 
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
@@ -97,6 +109,7 @@ CATALOGUE = \
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
 JET_SOURCES += $(LIB_JET_SOURCES)
 AFFINE_SOURCES += $(LIB_AFFINE_SOURCES)
+COSINES_SOURCES += $(LIB_COSINES_SOURCES)
 
 noinst_LIBRARIES += libscheme.a
 libscheme_a_SOURCES = $(LIB_SOURCES)

@@ -32,6 +32,7 @@ LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
   tests/lib/t-regular \
+  tests/lib/t-number_field \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
@@ -41,6 +42,7 @@ LIB_TESTS = \
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
 tests_lib_t_regular_LDADD = $(LINK_LIB)
+tests_lib_t_number_field_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
@@ -57,6 +59,8 @@ VERIFY_TESTS = \
   tests/verify/t-certificate \
   tests/verify/t-picture \
   tests/verify/t-prove \
+  tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
@@ -66,6 +70,8 @@ tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_picture_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
+tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)

@@ -171,7 +171,17 @@ typedef struct {
     unsigned claims; /* that need it: 1 << claim_kind */
 } analysis_test;
 
-enum { C1 = 1 << CLAIM_C1, FREQUENCY = 1 << CLAIM_FREQUENCY, NOT_C0 = 1 << CLAIM_NOT_C0, FOLD = 1 << CLAIM_FOLD, ALL = C1 | FREQUENCY | NOT_C0 | FOLD };
+enum {
+    C1 = 1 << CLAIM_C1,
+    FREQUENCY = 1 << CLAIM_FREQUENCY,
+    NOT_C0 = 1 << CLAIM_NOT_C0,
+    FOLD = 1 << CLAIM_FOLD,
+    TIE = 1 << CLAIM_TIE,
+    JORDAN = 1 << CLAIM_JORDAN,
+    MODULUS_ONE = 1 << CLAIM_MODULUS_ONE,
+    ENCLOSED = C1 | FREQUENCY | NOT_C0 | FOLD,
+    EXACT = TIE | JORDAN | MODULUS_ONE
+};
 
 /* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
 static bool is_still_true(const analysis *a, test_name name)
@@ -199,11 +209,10 @@ static outcome run_test(analysis *a, const analysis_test *t)
     return o;
 }
 
-/* It writes its own attempts, and limits the search for trees that follows.  It is for single valences. */
+/* It writes its own attempts, and limits the search for trees that follows. */
 static outcome run_uniform(analysis *a)
 {
     outcome o = OUTCOME_TRUE;
-#if !defined(NUMBER_AFFINE)
     if (!a->plan->uniform || a->replay)
         return o;
     if (!a->plan->found[TEST_UNIFORM]) {
@@ -214,25 +223,23 @@ static outcome run_uniform(analysis *a)
         a->plan->found[TEST_UNIFORM] = true;
         a->plan->max_level = a->findings->uniform_level;
     }
-#else
-    (void)a;
-#endif
     return o;
 }
 
 static outcome run_tests(analysis *a)
 {
     static const analysis_test tests[] = {
-        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ALL}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ALL},
-        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD}, {TEST_REGULARITY, "regularity", test_regularity, C1},
-        {TEST_INJECTIVITY, "injectivity", test_injectivity, C1}, {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
-        {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0}, {TEST_WITNESS, "fold", test_fold, FOLD},
+        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ENCLOSED | EXACT}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ENCLOSED},
+        {TEST_EXACT, "exact", test_exact, EXACT}, {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD | TIE | JORDAN},
+        {TEST_REGULARITY, "regularity", test_regularity, C1}, {TEST_INJECTIVITY, "injectivity", test_injectivity, C1},
+        {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY | JORDAN}, {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0},
+        {TEST_WITNESS, "fold", test_fold, FOLD}, {TEST_WITNESS, "nonzero", test_exact_witnesses, TIE | MODULUS_ONE},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
         if (!(tests[i].claims & 1U << a->choices->claim))
             continue;
-        if (tests[i].name == TEST_EIGENPAIR) {
+        if (tests[i].name == TEST_EIGENPAIR || tests[i].name == TEST_EXACT) {
             if (a->choices->plainly_regular)
                 break;
             o = evaluate_scheme(a);
@@ -295,6 +302,7 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
         number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
     if (a.matrix)
         number_array_free(a.matrix, (size_t)a.order * (size_t)a.order);
+    exact_free(&a);
     number_clear(&a.scale);
     sector_net_free(&a.net);
     scheme_numbers_free(&a.numbers);

@@ -1,6 +1,7 @@
 /* certificate.c: writing, and reading what was written. */
 #include "certificate.h"
 
+#include "certificate_exact.h"
 #include "sha256.h"
 
 #include <inttypes.h>
@@ -31,16 +32,15 @@ static const char *letters(const tree_word *w)
 
 static void write_evidence(buffer *z, const choices *c)
 {
-    int witnesses = c->claim == CLAIM_NOT_C0 ? 1 : c->claim == CLAIM_FOLD ? 2 : 0;
     if (c->claim == CLAIM_C1) {
         buffer_print(z, "halfplane");
         write_long_hexadecimal(z, c->normal[0]);
         write_long_hexadecimal(z, c->normal[1]);
         buffer_print(z, "\nregularity %s\n", letters(&c->regularity));
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         buffer_print(z, "boundary %s\n", letters(&c->boundary));
-    for (int i = 0; i < witnesses; i++)
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
         buffer_print(z, "witness %d %s\n", c->witness[i].element, c->witness[i].depth ? c->witness[i].path : "-");
 }
 
@@ -56,6 +56,14 @@ static void write_eigenpair(buffer *z, const eigenpair_choice *e)
         write_integers(z, "range", &e->range, 1);
     for (int i = 0; i < e->n; i++)
         write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
+}
+
+static void write_form(buffer *z, const choices *c)
+{
+    buffer_print(z, "form %s\n", c->frequency == 0 ? "plain" : c->eigenpair.complex_form ? "complex" : "real");
+    write_eigenpair(z, &c->eigenpair);
+    if (c->eigenpair.complex_form)
+        write_integers(z, "modulus", &c->modulus, 1);
 }
 
 /* "7", "8 20", "21 inf" */
@@ -98,11 +106,13 @@ static void write_choices(buffer *z, const choices *c)
         buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
     buffer_print(z, "\n");
     if (c->claim != CLAIM_C1)
-        buffer_print(z, "reason %s\nfrequency %ld\n", claim_name(c->claim), c->frequency);
-    buffer_print(z, "form %s\n", c->frequency == 0 ? "plain" : c->eigenpair.complex_form ? "complex" : "real");
-    write_eigenpair(z, &c->eigenpair);
-    if (c->eigenpair.complex_form)
-        write_integers(z, "modulus", &c->modulus, 1);
+        buffer_print(z, "reason %s\n", claim_name(c->claim));
+    if (c->claim != CLAIM_C1 && !claim_is_exact(c->claim))
+        buffer_print(z, "frequency %ld\n", c->frequency);
+    if (claim_is_exact(c->claim))
+        certificate_write_exact(z, c);
+    else
+        write_form(z, c);
     write_spectrum(z, c);
     write_evidence(z, c);
 }
@@ -237,13 +247,15 @@ static void read_reason(reader *r, choices *c)
 {
     expect(r, "reason");
     c->claim = CLAIM_C1;
-    for (claim_kind k = CLAIM_FREQUENCY; k <= CLAIM_FOLD; k++)
+    for (claim_kind k = CLAIM_FREQUENCY; k < CLAIMS; k++)
         if (comes_next(r, claim_name(k)))
             c->claim = k;
     if (c->claim == CLAIM_C1)
         r->failed = true;
     else
         expect(r, claim_name(c->claim));
+    if (claim_is_exact(c->claim))
+        return;
     expect(r, "frequency");
     c->frequency = read_long(r, 10, 0, (c->k.first - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
@@ -314,6 +326,16 @@ static void read_eigenpair(reader *r, eigenpair_choice *e, long grid, bool compl
     integer_clear(&eigenvalue[1]);
 }
 
+static void read_pair(reader *r, choices *c, bool several)
+{
+    bool complex_form = read_form(r, c->frequency == 0);
+    read_eigenpair(r, &c->eigenpair, c->grid, complex_form, several);
+    if (complex_form) {
+        expect(r, "modulus");
+        read_integer(r, &c->modulus, 16);
+    }
+}
+
 /* Of all blocks of a certificate together. */
 static int read_power(reader *r, long *total)
 {
@@ -381,6 +403,13 @@ static void read_spans(reader *r, choices *c, long *total)
     }
 }
 
+static void read_exact(reader *r, choices *c)
+{
+    certificate_status s = r->failed ? CERTIFICATE_MALFORMED : certificate_read_exact(c, &r->at, r->end);
+    r->failed = s != CERTIFICATE_READ;
+    r->no_memory = r->no_memory || s == CERTIFICATE_NO_MEMORY;
+}
+
 static void read_evidence(reader *r, choices *c)
 {
     long normal_limit = 1L << CHOICES_NORMAL_BITS;
@@ -390,17 +419,15 @@ static void read_evidence(reader *r, choices *c)
             c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
         read_tree(r, &c->regularity, "regularity");
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         read_tree(r, &c->boundary, "boundary");
-    if (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[0]);
-    if (c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[1]);
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
+        read_witness(r, &c->witness[i]);
 }
 
 static void read_choices(reader *r, choices *c)
 {
-    bool c1, several, complex_form;
+    bool c1, several;
     long total = 0; /* of powers */
     expect(r, "claim");
     c1 = comes_next(r, "c1");
@@ -425,12 +452,10 @@ static void read_choices(reader *r, choices *c)
     }
     if (!c1)
         read_reason(r, c);
-    complex_form = read_form(r, c->frequency == 0);
-    read_eigenpair(r, &c->eigenpair, c->grid, complex_form, several);
-    if (complex_form) {
-        expect(r, "modulus");
-        read_integer(r, &c->modulus, 16);
-    }
+    if (claim_is_exact(c->claim))
+        read_exact(r, c);
+    else
+        read_pair(r, c, several);
     read_blocks(r, c, &total);
     if (several) {
         read_rise(r, c, &total);

@@ -148,13 +148,12 @@ static bool is_uniform_open(const analysis_plan *plan)
 /* What looks like the opposite at so many precisions in a row, and is not refuted, will hardly be decided by more. */
 enum { MOST_CONTRARY = 4 };
 
-static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
+static outcome climb(decision *z, choices *c, analysis_plan *plan, suspicion *s, const limits *l)
 {
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
-    suspicion s = {.made = false};
     int contrary = 0;
     for (;;) {
-        outcome o = try_precision(z, c, plan, &s, l, precision);
+        outcome o = try_precision(z, c, plan, s, l, precision);
         contrary = o == OUTCOME_FALSE ? contrary + 1 : 0;
         if (o == OUTCOME_UNDEFINED && is_uniform_open(plan))
             return o;
@@ -166,6 +165,15 @@ static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limi
         if (precision > l->max_precision)
             return o;
     }
+}
+
+static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
+{
+    suspicion s = {.made = false};
+    outcome o = climb(z, c, plan, &s, l);
+    if ((o == OUTCOME_FAIL || o == OUTCOME_FALSE) && !plan->found[TEST_SPECTRUM])
+        refute_note_gap(&z->findings.attempts[z->obstacle], &s, plan, z->k.first, strcmp(z->system, "ball") ? 0 : z->precision);
+    return o;
 }
 
 /* OUTCOME_NO_MEMORY is not told from "no": then it is proved anew. */

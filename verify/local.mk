@@ -7,13 +7,16 @@ VERIFY_SOURCES = \
   verify/sha256.h verify/sha256.c \
   verify/tree.h verify/tree.c \
   verify/valence_range.h verify/valence_range.c \
+  verify/exact_choice.h verify/exact_choice.c \
   verify/choices.h verify/choices.c \
   verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
+  verify/certificate_exact.h verify/certificate_exact.c \
   verify/certificate.h verify/certificate.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
   verify/findings.h verify/findings.c \
   verify/analysis.h \
+  verify/exact_search.h verify/exact_search.c \
   verify/refute.h verify/refute.c \
   verify/escalate.h verify/escalate.c \
   verify/partition.h verify/partition.c \
@@ -36,6 +39,8 @@ VERIFY_SOURCES = \
   verify/progress.h verify/progress.c \
   verify/spectrum_list.h verify/spectrum_list.c \
   verify/spectrum_doubles.h verify/spectrum_doubles.c \
+  verify/other_criteria.h verify/other_criteria.c \
+  verify/consistency.h verify/consistency.c \
   verify/svg.h verify/svg.c \
   verify/plot.h verify/plot.c \
   verify/report.h verify/report_read.c \
@@ -54,7 +59,12 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/exact_test.h verify/exact_test.c \
+  verify/exact_eigenvector.c \
+  verify/block_matrix.h verify/block_matrix.c \
   verify/candidates.h verify/candidates.c \
+  verify/gap.h verify/gap.c \
+  verify/other_criteria_numbers.h verify/other_criteria_numbers.c \
   verify/uniform_regularity_test.c \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
@@ -73,6 +83,7 @@ VERIFY_AFFINE_SOURCES = \
   verify/zero_free_test.c \
   verify/fold_test.c \
   verify/regular_complex_test.c \
+  verify/range_limits.c \
   verify/range_eigenpair_test.c \
   verify/range_spectrum_test.c \
   verify/analysis.c
@@ -99,4 +110,4 @@ smoothcert_SOURCES = \
   verify/main.c
 smoothcert_LDADD = $(VERIFY_LIBS)
 
-EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/certificate-valences.md verify/uniform.md verify/scheme-0.md
+EXTRA_DIST += verify/certificate.md verify/certificate-0.md verify/certificate-valences.md verify/exact.md verify/uniform.md verify/scheme-0.md

@@ -239,7 +239,8 @@ const char *report_reason(const report_entry *e)
 {
     static const char *const reasons[] = {
         [CLAIM_C1] = "C1", [CLAIM_FREQUENCY] = "another frequency dominates", [CLAIM_NOT_C0] = "an eigenvalue beyond 1: not even continuous",
-        [CLAIM_FOLD] = "the characteristic map folds"};
+        [CLAIM_FOLD] = "the characteristic map folds", [CLAIM_TIE] = "too many blocks share the largest modulus",
+        [CLAIM_JORDAN] = "a larger Jordan block dominates", [CLAIM_MODULUS_ONE] = "an eigenvalue of modulus 1: not even continuous"};
     return (size_t)e->claim < sizeof reasons / sizeof *reasons && reasons[e->claim] ? reasons[e->claim] : "not C1";
 }
 
@@ -270,7 +271,9 @@ static void note_choices(report_entry *e, const choices *c)
     e->frequency = c->frequency;
     e->grid = c->grid;
     e->plainly_regular = c->plainly_regular;
-    e->radius = c->plainly_regular ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
+    if (claim_is_exact(c->claim))
+        e->log.others = NAN; /* equal ones are no bound */
+    e->radius = c->plainly_regular || claim_is_exact(c->claim) ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
     for (int i = 0; i < 2 && c->claim == CLAIM_FOLD && e->picture.taken && e->picture.with_net; i++)
         e->witness[i] = find_witness(&e->picture, &c->witness[i]);
 }

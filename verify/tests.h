@@ -17,7 +17,11 @@
 #define test_zero_free NUMBER_NAME(test_zero_free)
 #define test_nonzero NUMBER_NAME(test_nonzero)
 #define test_fold NUMBER_NAME(test_fold)
+#define test_exact NUMBER_NAME(test_exact)
+#define test_exact_witnesses NUMBER_NAME(test_exact_witnesses)
+#define exact_free NUMBER_NAME(exact_free)
 #define analysis_seek NUMBER_NAME(analysis_seek)
+#define analysis_seek_nonzero NUMBER_NAME(analysis_seek_nonzero)
 
 #define analysis_from_block NUMBER_NAME(analysis_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
@@ -43,6 +47,7 @@ typedef struct {
     number scale;      /* thin, >= 1/|L|, after test_eigenpair */
     sector_net net;    /* of the characteristic map, after analysis_make_net */
     bool net_made;
+    struct exact_state *exact; /* of claims that are exact: exact_test.h */
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
@@ -69,6 +74,13 @@ outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
 
+/* The blocks of the choices have the eigenvalue that they are said to have, exactly, in Jordan blocks that are no larger;
+   all their other eigenvalues are smaller (but of CLAIM_MODULUS_ONE).  Leaves the first eigenvector that counts. */
+outcome test_exact(analysis *a);
+/* The eigenfunctions that count are not 0. */
+outcome test_exact_witnesses(analysis *a);
+void exact_free(analysis *a);
+
 /* What a block's status means for a test, explained in the last attempt; d: the complaint that belongs to BLOCK_BAD_INPUT
    (NULL where that cannot be). */
 outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d);
@@ -83,6 +95,9 @@ outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, co
 /* Looks for an element, or some descendant of one, where the task's quantity is certainly positive, or follows the
    witness that there is. */
 outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
+
+/* The same where the eigenfunction of the net is not 0, on the outer curve. */
+outcome analysis_seek_nonzero(analysis *a, witness_choice *witness);
 
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
    OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */

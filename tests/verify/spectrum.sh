@@ -46,6 +46,13 @@ says small 'dominant: L = 0.530872450464' loop --valence 7
 says small-blocks 'block 3' loop --valence 7
 says small-tie 'no eigenvalue but 1 is certainly larger' butterfly --valence 3
 says small-frequency 'in block 2, simple' butterfly --valence 8
+says verdict 'C1 here: proved' loop --valence 7
+says verdict-refuted 'C1 here: refuted; frequency 2 dominates' butterfly --valence 8
+says signs 'signs of normals: all alike' butterfly --valence 8
+says signs-cups 'signs of normals: they sum to 0' loop-ring --set z=3/4 --valence 5
+says waves 'Theorem 6.1: lambda > |mu_0|, hence C1' wave --valence 3
+says waves-nothing 'Theorem 6.1: lambda < |mu_0|, nothing follows' catmull-clark-weights --set alpha=9/10 --set beta=1/20 --valence 5
+says json-verdict '"c1":"proved","signs_alike":true,"waves_inequality":null' loop --valence 7 --json
 says valence-100 'block 49' loop --valence 100
 says valence-101 'blocks 4 to' loop --valence 101
 says json '"ranges":[{"first":4,' loop --valence 1000 --json
