@@ -218,7 +218,7 @@ static int write_page(const options *o, const report *r, const gallery *g)
     result = page.failed ? complain(EXIT_NO_MEMORY, "no memory") : write_file(path, &page);
     buffer_clear(&page);
     if (result == 0)
-        printf("%s: %zu valences, %zu figures\n", path, r->count, g->count);
+        printf("%s: %zu figures\n", path, g->count);
     return result;
 }
 

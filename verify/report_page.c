@@ -174,6 +174,7 @@ static void how_to_check(buffer *z, const report *r)
         buffer_print(z, " .\n");
     }
     buffer_print(z, "</pre>\n");
+    paragraph(z, "Or, which is the same: sh verify.sh");
 }
 
 void report_page(buffer *z, const report *r, const report_figure *figure, size_t figures)
