@@ -135,6 +135,7 @@ SCRIPT_TESTS = \
   tests/verify/completion.sh \
   tests/verify/report.sh \
   tests/verify/advice.sh \
+  tests/verify/readme.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
