@@ -286,8 +286,10 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
     a.prec = prec;
     number_init(&a.scale);
     o = run_tests(&a);
+#if !defined(NUMBER_AFFINE)
     if (p->picture && a.box)
         picture_take(p->picture, &a);
+#endif
     if (o == OUTCOME_TRUE && !describe(&a))
         o = OUTCOME_NO_MEMORY;
     for (int i = 0; i < RING_NETS; i++) {

@@ -25,7 +25,7 @@ typedef struct {
     const uniform_bounds *uniform; /* not NULL: a search uses the uniform method, and then looks for trees that are no deeper */
     const deadline *deadline;
     const char *system;     /* for the log */
-    picture *picture;       /* NULL, or to be taken once there is an eigenpair, whatever the outcome */
+    picture *picture;       /* of one valence: NULL, or to be taken once there is an eigenpair, whatever the outcome */
 } analysis_plan;
 
 /* c->claim, frequency, valence and grid are given; a search fills in the rest.  Replays follow what is there. */
@@ -52,5 +52,11 @@ outcome analysis_replay_grid(findings *f, choices *c, analysis_plan *p, long pre
 outcome analysis_replay_affine_interval(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_affine_ball(findings *f, choices *c, analysis_plan *p, long prec);
 outcome analysis_replay_affine_grid(findings *f, choices *c, analysis_plan *p, long prec);
+
+/* The replay that certificates are about: of choices that were read, on their grid. */
+static inline outcome analysis_replay(findings *f, choices *c, analysis_plan *p)
+{
+    return is_one_valence(c->k) ? analysis_replay_grid(f, c, p, c->grid) : analysis_replay_affine_grid(f, c, p, c->grid);
+}
 
 #endif

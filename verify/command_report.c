@@ -115,32 +115,35 @@ static const char *caption_of_map(const report_entry *e)
 
 static bool draw_map(gallery *g, const report *r, const report_entry *e)
 {
-    report_figure *f = hang(g, "map", e->name);
+    report_figure *f = hang(g, "map", e->at_name);
     if (!f)
         return false;
     report_map(&f->svg, r, e);
-    snprintf(f->caption, sizeof f->caption, "Valence %s. %s", e->name, caption_of_map(e));
+    if (is_one_valence(e->k))
+        snprintf(f->caption, sizeof f->caption, "Valence %s. %s", e->at_name, caption_of_map(e));
+    else
+        snprintf(f->caption, sizeof f->caption, "Valence %s, one of %s, as double intervals show it. %s", e->at_name, e->name, caption_of_map(e));
     return true;
 }
 
 static bool draw_curve(gallery *g, const report *r, const report_entry *e)
 {
-    report_figure *f = hang(g, "curve", e->name);
+    report_figure *f = hang(g, "curve", e->at_name);
     if (!f)
         return false;
     report_curve(&f->svg, r, e);
-    snprintf(f->caption, sizeof f->caption, "Valence %s. Why it is not C1: going once round the vertex, the dominant map goes %ld times round its centre, so no plane can be covered once.", e->name, e->frequency);
+    snprintf(f->caption, sizeof f->caption, "Valence %s. Why it is not C1: going once round the vertex, the dominant map goes %ld times round its centre, so no plane can be covered once.", e->at_name, e->frequency);
     return true;
 }
 
 static bool draw_spectrum(gallery *g, const report *r, const report_entry *e)
 {
-    report_figure *f = hang(g, "spectrum", e->name);
+    report_figure *f = hang(g, "spectrum", e->at_name);
     report_status drawn = f ? report_spectrum(&f->svg, r, e) : REPORT_NO_MEMORY;
     if (drawn == REPORT_BAD_INPUT)
         take_down(g);
     else if (drawn == REPORT_OK)
-        snprintf(f->caption, sizeof f->caption, "Valence %s: how large the eigenvalues are, proved. For a C1 surface the largest after 1 has to come from block 1, and alone.", e->name);
+        snprintf(f->caption, sizeof f->caption, "Valence %s: how large the eigenvalues are, proved. For a C1 surface the largest after 1 has to come from block 1, and alone.", e->at_name);
     return drawn != REPORT_NO_MEMORY;
 }
 
@@ -215,7 +218,7 @@ static int write_page(const options *o, const report *r, const gallery *g)
     result = page.failed ? complain(EXIT_NO_MEMORY, "no memory") : write_file(path, &page);
     buffer_clear(&page);
     if (result == 0)
-        printf("%s: %zu valences, %zu figures\n", path, r->count, g->count);
+        printf("%s: %zu figures\n", path, g->count);
     return result;
 }
 

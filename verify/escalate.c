@@ -55,7 +55,7 @@ static outcome replay(decision *z, const analysis_plan *p, const buffer *certifi
         o = findings_explain(&z->findings, OUTCOME_FALSE, "the certificate does not read back (line %ld): this is a fault of the program", line);
         findings_last(&z->findings)->outcome = o;
     } else
-        o = is_one_valence(c.k) ? analysis_replay_grid(&z->findings, &c, &plan, c.grid) : analysis_replay_affine_grid(&z->findings, &c, &plan, c.grid);
+        o = analysis_replay(&z->findings, &c, &plan);
     if (o == OUTCOME_TRUE)
         take_over(z, &c);
     choices_clear(&c);

@@ -82,7 +82,7 @@ static bool read_choices(examination *z, const examine_subject *s)
 {
     long line = 0;
     if (z->claim.version < STATEMENT_NEWEST_VERSION) {
-        blame(z, 1, "only smoothcert-check follows certificates of this old version");
+        blame(z, 1, "an old format, which only smoothcert-check follows");
         return true;
     }
     if (!certificate_read(&z->choices, &line, &s->scheme, z->bytes.bytes, z->bytes.length))
@@ -96,7 +96,7 @@ static bool read_choices(examination *z, const examine_subject *s)
 static bool follow(examination *z, const examine_subject *s, const deadline *d)
 {
     analysis_plan plan = {.problem = &s->problem, .deadline = d, .system = "grid"};
-    z->followed = analysis_replay_grid(&z->findings, &z->choices, &plan, z->choices.grid);
+    z->followed = analysis_replay(&z->findings, &z->choices, &plan);
     return z->followed != OUTCOME_NO_MEMORY;
 }
 

@@ -104,6 +104,7 @@ smoothcert_SOURCES = \
   verify/command_regular.c \
   verify/command_schemes.c \
   verify/command_certificates.h verify/command_certificates.c \
+  verify/command_out.h verify/command_out.c \
   verify/command_show.c \
   verify/command_rerun.c \
   verify/command_archive.h verify/command_archive.c verify/command_archive_verify.c verify/command_archive_diff.c verify/command_archive_pack.c \

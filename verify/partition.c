@@ -52,7 +52,6 @@ static bool decide_box(progress_of_partition *s, decision *d)
         }
         if (d->outcome == OUTCOME_NO_MEMORY || d->outcome == OUTCOME_STOPPED)
             return true;
-        if (getenv("DBG")) fprintf(stderr, "failed %ld..%ld: %s: %s\n", box.first, box.last, decision_obstacle(d)->test, decision_obstacle(d)->reason);
         decision_clear(d);
         s->width = width / 2;
     }

@@ -5,6 +5,7 @@
 #ifndef VERIFY_REPORT_H
 #define VERIFY_REPORT_H
 
+#include "archive_view.h"
 #include "outcome.h"
 #include "picture.h"
 #include "problem.h"
@@ -21,14 +22,13 @@ typedef struct {
     char test[32], reason[256]; /* why it is undecided */
 } report_log;
 
-/* A line of the index. */
+/* What there is about a valence, or a range of them. */
 typedef struct {
-    char name[48];       /* "7", as in the names of its files */
-    long first, last;    /* the valences that it is about */
+    valence_range k;
+    char name[VALENCE_RANGE_TEXT]; /* "7", as in the names of its files */
     verdict verdict;
     char digest[65];     /* of the certificate, "" if there is none */
-    char file[80];
-    bool followed;       /* the certificate has this digest, and proves what the index says */
+    bool followed;       /* the certificate proves the verdict */
     claim_kind claim;
     long frequency, grid;
     bool plainly_regular;
@@ -40,15 +40,17 @@ typedef struct {
     point witness[2];    /* of a fold, where the Jacobian is positive and negative */
     picture picture;
     bool shown;          /* is it among those of which maps are drawn? */
+    long at;             /* then at this valence, */
+    char at_name[24];    /*   as text */
     report_log log;
 } report_entry;
 
 typedef struct {
-    const char *path;
+    archive_view view;
     scheme scheme;
     problem problem;
-    report_entry *entry; /* by valence */
-    size_t count, capacity;
+    report_entry *entry; /* by valences */
+    size_t count;
     char complaint[512]; /* what is wrong, and where */
 } report;
 
@@ -56,7 +58,7 @@ typedef enum { REPORT_OK, REPORT_BAD_INPUT, REPORT_IO_ERROR, REPORT_NO_MEMORY } 
 
 void report_init(report *z);
 void report_clear(report *z);
-/* The scheme, its regular part, the index and the logs of the directory.  Unless REPORT_OK, z->complaint. */
+/* The scheme, its regular part, what certificates there are, and the logs of the directory.  Unless REPORT_OK, z->complaint. */
 report_status report_read(report *z, const char *path);
 /* Chooses entries to be shown: those whose valence is in the list, or if it is NULL a few of each verdict. */
 void report_choose(report *z, const valence_list *list);

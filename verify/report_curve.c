@@ -122,7 +122,7 @@ void report_curve(buffer *z, const report *r, const report_entry *e)
     const picture *p = &e->picture;
     long sectors = sectors_of(p);
     char text[200];
-    snprintf(text, sizeof text, "Frequency %ld of %s, valence %s: the image winds %ld times", p->frequency, r->scheme.name, e->name, p->frequency);
+    snprintf(text, sizeof text, "Frequency %ld of %s, valence %s: the image winds %ld times", p->frequency, r->scheme.name, e->at_name, p->frequency);
     svg_begin(z, 4 * RADIUS + 200, MIDDLE + RADIUS + 40, text);
     svg_group(z, "font-size=\"14\" font-weight=\"bold\"");
     svg_text(z, 14, 20, SVG_START, text);

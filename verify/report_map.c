@@ -31,9 +31,17 @@ static const picture_leaves *trees(const picture *p)
     return p->tree.count ? &p->tree : &p->signs;
 }
 
+static int sign_of(const picture_leaf *leaf)
+{
+    return leaf->lower > 0 ? 1 : leaf->upper < 0 ? -1 : 0;
+}
+
 static bool shows_signs(const picture *p)
 {
-    return trees(p) == &p->signs && p->signs.count > 0;
+    for (size_t i = 0; trees(p) == &p->signs && i < p->signs.count; i++)
+        if (sign_of(&p->signs.leaf[i]) <= 0)
+            return true;
+    return false;
 }
 
 /* Of what folds one sector is enough, and it should be large. */
@@ -119,11 +127,6 @@ static const char *level_colour(int level)
     static const char *const colours[] = {"#ffffff", "#d6e9f8", "#a6d0ee", "#6baede", "#2b83ba", "#0b5a8a"};
     int last = (int)(sizeof colours / sizeof *colours) - 1;
     return colours[level < last ? level : last];
-}
-
-static int sign_of(const picture_leaf *leaf)
-{
-    return leaf->lower > 0 ? 1 : leaf->upper < 0 ? -1 : 0;
 }
 
 static void leaf_attributes(char *text, size_t size, const picture_leaf *leaf, bool signs, const char *id)
@@ -254,7 +257,7 @@ static void legend(buffer *z, const report *r, const report_entry *e, const char
     svg_text(z, 332, 40, SVG_START, p->tree.count ? "elements that decide, limit" : "elements, limit");
     if (p->tree.count)
         legend_of_levels(z, MARGIN, p);
-    else if (p->signs.count)
+    else if (shows_signs(p))
         legend_of_signs(z, MARGIN, p, id);
 }
 
@@ -275,8 +278,8 @@ void report_map(buffer *z, const report *r, const report_entry *e)
 {
     char id[64], title[160];
     view v;
-    snprintf(id, sizeof id, "map-%s", e->name);
-    snprintf(title, sizeof title, "Map of %s at valence %s", r->scheme.name, e->name);
+    snprintf(id, sizeof id, "map-%s", e->at_name);
+    snprintf(title, sizeof title, "Map of %s at valence %s", r->scheme.name, e->at_name);
     svg_begin(z, SIZE, SIZE + HEADER, title);
     patterns(z, id);
     choose_view(&v, &e->picture);

@@ -34,32 +34,18 @@ static void paragraph(buffer *z, const char *text)
 
 /* ---- what is proved ---- */
 
-/* "3..7, 9" of one verdict. */
-static void list_valences(buffer *z, const report *r, verdict v)
-{
-    const char *comma = "";
-    for (size_t i = 0; i < r->count; i++) {
-        size_t last = i;
-        if (r->entry[i].verdict != v)
-            continue;
-        while (last + 1 < r->count && r->entry[last + 1].verdict == v && r->entry[last + 1].first == r->entry[last].last + 1)
-            last++;
-        buffer_print(z, "%s%ld", comma, r->entry[i].first);
-        if (strstr(r->entry[last].name, "..inf"))
-            buffer_print(z, " and all larger ones");
-        else if (r->entry[last].last > r->entry[i].first)
-            buffer_print(z, "..%ld", r->entry[last].last);
-        comma = ", ";
-        i = last;
-    }
-}
-
 static size_t count_of(const report *r, verdict v)
 {
     size_t count = 0;
     for (size_t i = 0; i < r->count; i++)
         count += r->entry[i].verdict == v;
     return count;
+}
+
+static bool has_no_end(const report *r, verdict v)
+{
+    const report_entry *last = r->count ? &r->entry[r->count - 1] : NULL;
+    return last && last->verdict == v && last->k.last == VALENCES_UNBOUNDED;
 }
 
 static void summary(buffer *z, const report *r)
@@ -76,8 +62,8 @@ static void summary(buffer *z, const report *r)
         if (count_of(r, sentences[i].verdict) == 0)
             continue;
         buffer_print(z, "<p>%s", sentences[i].before);
-        list_valences(z, r, sentences[i].verdict);
-        buffer_print(z, "%s</p>\n", sentences[i].behind);
+        archive_view_list(z, &r->view, sentences[i].verdict);
+        buffer_print(z, "%s%s</p>\n", has_no_end(r, sentences[i].verdict) ? " (without end)" : "", sentences[i].behind);
     }
     paragraph(z, "C1 means that for all control meshes, but a nowhere dense set of them, the limit surface near an extraordinary vertex of that "
                  "valence is a continuously differentiable surface. Every certificate named here was followed once more when this page was made.");
@@ -188,6 +174,7 @@ static void how_to_check(buffer *z, const report *r)
         buffer_print(z, " .\n");
     }
     buffer_print(z, "</pre>\n");
+    paragraph(z, "Or, which is the same: sh verify.sh");
 }
 
 void report_page(buffer *z, const report *r, const report_figure *figure, size_t figures)

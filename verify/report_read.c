@@ -2,10 +2,8 @@
 #include "report.h"
 
 #include "analysis.h"
+#include "archive.h"
 #include "certificate.h"
-#include "sha256.h"
-
-#include "../lib/growing.h"
 
 #include <errno.h>
 #include <math.h>
@@ -13,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_FILE_BYTES (64 << 20)
 /* Of so many entries of each verdict maps are drawn, unless they are named. */
 #define MOST_SHOWN 4
 /* Of about so many entries, evenly spread, the Jacobian and the errors are measured. */
@@ -22,6 +19,7 @@
 void report_init(report *z)
 {
     memset(z, 0, sizeof *z);
+    archive_view_init(&z->view);
     scheme_init(&z->scheme);
     problem_init(&z->problem);
 }
@@ -33,40 +31,39 @@ void report_clear(report *z)
     free(z->entry);
     problem_clear(&z->problem);
     scheme_clear(&z->scheme);
+    archive_view_clear(&z->view);
 }
 
 /* ---- files ---- */
 
-static report_status read_file(report *z, buffer *text, const char *name)
+/* The entry's file with the suffix. */
+static report_status read_file(report *z, buffer *text, const report_entry *e, const char *suffix)
 {
-    char path[4096];
-    if (snprintf(path, sizeof path, "%s/%s", z->path, name) >= (int)sizeof path)
-        errno = ENAMETOOLONG;
-    else if (buffer_read_file(text, path, MAX_FILE_BYTES))
-        return REPORT_OK;
-    snprintf(z->complaint, sizeof z->complaint, "%.300s/%.100s: %s", z->path, name, strerror(errno));
-    return errno == ENOMEM ? REPORT_NO_MEMORY : REPORT_IO_ERROR;
+    char name[ARCHIVE_NAME_MAX];
+    char *path;
+    bool ok;
+    archive_name(name, e->k, suffix);
+    path = durable_path(z->view.path, name);
+    ok = path && buffer_read_file(text, path, ARCHIVE_MAX_BYTES);
+    if (!ok)
+        snprintf(z->complaint, sizeof z->complaint, "%.300s/%s: %s", z->view.path, name, strerror(errno));
+    free(path);
+    return ok ? REPORT_OK : errno == ENOMEM ? REPORT_NO_MEMORY : REPORT_IO_ERROR;
 }
 
 static report_status read_scheme(report *z)
 {
+    const buffer *text = &z->view.scheme;
     diagnostic d;
-    buffer text;
-    status read;
-    report_status result;
-    buffer_init(&text);
-    result = read_file(z, &text, "scheme.scheme");
-    if (result == REPORT_IO_ERROR && errno == ENOENT)
-        snprintf(z->complaint, sizeof z->complaint, "%.300s: there is no scheme.scheme here: expected a directory of 'smoothcert prove'", z->path);
-    if (result == REPORT_OK) {
-        read = scheme_read(&z->scheme, text.bytes ? text.bytes : "", text.length, NULL, &d);
-        result = read == STATUS_OK ? REPORT_OK : read == STATUS_BAD_INPUT ? REPORT_BAD_INPUT : REPORT_NO_MEMORY;
-        if (read == STATUS_BAD_INPUT)
-            snprintf(z->complaint, sizeof z->complaint, "%.300s/scheme.scheme:%ld:%ld: %.150s", z->path, d.line, d.column, d.text);
-    } else if (result == REPORT_IO_ERROR && errno == ENOENT)
-        result = REPORT_BAD_INPUT;
-    buffer_clear(&text);
-    return result;
+    switch (scheme_read(&z->scheme, text->bytes ? text->bytes : "", text->length, NULL, &d)) {
+    case STATUS_OK:
+        return problem_make(&z->problem, &z->scheme) ? REPORT_OK : REPORT_NO_MEMORY;
+    case STATUS_BAD_INPUT:
+        snprintf(z->complaint, sizeof z->complaint, "%.300s/%s:%ld:%ld: %.150s", z->view.path, ARCHIVE_SCHEME, d.line, d.column, d.text);
+        return REPORT_BAD_INPUT;
+    default:
+        return REPORT_NO_MEMORY;
+    }
 }
 
 /* ---- the log ---- */
@@ -133,12 +130,10 @@ static void read_attempt(report_log *l, const char *line)
 /* No log is no error: certificates say what is proved. */
 static void read_log(report *z, report_entry *e)
 {
-    char name[80];
     buffer text;
     e->log.others = e->log.error = NAN;
-    snprintf(name, sizeof name, "valence-%s.log", e->name);
     buffer_init(&text);
-    if (read_file(z, &text, name) == REPORT_OK && text.bytes)
+    if (read_file(z, &text, e, ARCHIVE_LOG) == REPORT_OK && text.bytes)
         for (char *line = text.bytes, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
             *end = '\0';
             read_attempt(&e->log, line);
@@ -146,115 +141,93 @@ static void read_log(report *z, report_entry *e)
     buffer_clear(&text);
 }
 
-/* ---- the index ---- */
+/* ---- the directory ---- */
 
-/* "7", "8..20", "21..inf" */
-static bool read_valences(report_entry *e)
+static report_status add_entry(report *z, const archive_index_entry *from)
 {
-    char *end;
-    e->first = e->last = strtol(e->name, &end, 10);
-    if (!strcmp(end, "..inf")) {
-        e->last = CHOICES_MAX_VALENCE;
-        return true;
+    report_entry *e = &z->entry[z->count];
+    if (from->covered)
+        return REPORT_OK;
+    memset(e, 0, sizeof *e);
+    picture_init(&e->picture, false);
+    e->k = from->valences;
+    valence_range_print(e->name, e->k);
+    e->verdict = from->verdict;
+    if (from->verdict != VERDICT_UNDECIDED)
+        snprintf(e->digest, sizeof e->digest, "%s", from->digest);
+    if (from->damaged) {
+        snprintf(z->complaint, sizeof z->complaint, "%.300s: the certificate of valence %s is damaged; run the same 'smoothcert prove' again", z->view.path, e->name);
+        return REPORT_BAD_INPUT;
     }
-    if (!strncmp(end, "..", 2))
-        e->last = strtol(end + 2, &end, 10);
-    return *end == '\0' && e->first >= CHOICES_MIN_VALENCE && e->last >= e->first;
-}
-
-static bool read_index_line(report_entry *e, const char *line)
-{
-    char word[16] = "";
-    int fields = sscanf(line, "%47s %15s %64s %79s", e->name, word, e->digest, e->file);
-    if (!strcmp(word, verdict_name(VERDICT_UNDECIDED)))
-        e->verdict = VERDICT_UNDECIDED;
-    else if (!strcmp(word, verdict_name(VERDICT_PROVED)))
-        e->verdict = VERDICT_PROVED;
-    else if (!strcmp(word, verdict_name(VERDICT_REFUTED)))
-        e->verdict = VERDICT_REFUTED;
-    else
-        return false;
-    return fields == (e->verdict == VERDICT_UNDECIDED ? 2 : 4) && !strchr(e->file, '/') && read_valences(e);
-}
-
-static report_status read_index(report *z)
-{
-    buffer text;
-    long number = 0;
-    report_status result;
-    buffer_init(&text);
-    result = read_file(z, &text, "index");
-    if (result == REPORT_IO_ERROR && errno == ENOENT) {
-        snprintf(z->complaint, sizeof z->complaint, "%.300s: there is no index; run the same 'smoothcert prove' again, which goes on and writes it", z->path);
-        result = REPORT_BAD_INPUT;
-    }
-    for (char *line = text.bytes, *end; result == REPORT_OK && line && (end = strchr(line, '\n')) != NULL; line = end + 1) {
-        report_entry *p = growing_room(z->entry, z->count, &z->capacity, sizeof *p);
-        if (!p) {
-            result = REPORT_NO_MEMORY;
-            break;
-        }
-        *end = '\0';
-        number++;
-        z->entry = p;
-        p = &z->entry[z->count];
-        memset(p, 0, sizeof *p);
-        picture_init(&p->picture, false);
-        if (!read_index_line(p, line)) {
-            snprintf(z->complaint, sizeof z->complaint, "%.300s/index:%ld: expected 'VALENCE proved SHA256 FILE' or 'VALENCE undecided'", z->path, number);
-            result = REPORT_BAD_INPUT;
-        } else {
-            read_log(z, p);
-            z->count++;
-        }
-    }
-    buffer_clear(&text);
-    return result;
+    read_log(z, e);
+    z->count++;
+    return REPORT_OK;
 }
 
 report_status report_read(report *z, const char *path)
 {
     report_status result;
-    z->path = path;
+    if (!archive_view_read(&z->view, path)) {
+        if (errno == ENOENT || errno == ENOTDIR) {
+            snprintf(z->complaint, sizeof z->complaint, "%.300s: expected a directory of 'smoothcert prove'", path);
+            return REPORT_BAD_INPUT;
+        }
+        snprintf(z->complaint, sizeof z->complaint, "%.300s: %s", path, strerror(errno));
+        return errno == ENOMEM ? REPORT_NO_MEMORY : REPORT_IO_ERROR;
+    }
     result = read_scheme(z);
-    if (result == REPORT_OK)
-        result = read_index(z);
-    if (result == REPORT_OK && !problem_make(&z->problem, &z->scheme))
+    z->entry = malloc((z->view.index.count + 1) * sizeof *z->entry);
+    if (!z->entry)
         result = REPORT_NO_MEMORY;
+    for (size_t i = 0; result == REPORT_OK && i < z->view.index.count; i++)
+        result = add_entry(z, &z->view.index.entry[i]);
+    if (result == REPORT_OK && !archive_view_is_indexed(&z->view)) {
+        snprintf(z->complaint, sizeof z->complaint, "%.300s: the index does not say what is there; run the same 'smoothcert prove' again, which goes on and writes it, or 'smoothcert archive verify'", path);
+        return REPORT_BAD_INPUT;
+    }
     return result;
 }
 
 /* ---- which ---- */
 
+static void show(report_entry *e, long at)
+{
+    e->shown = true;
+    e->at = at;
+    snprintf(e->at_name, sizeof e->at_name, "%ld", at);
+}
+
 static void choose_some(report *z, verdict v)
 {
     size_t count = 0, at = 0, place = 0;
     for (size_t i = 0; i < z->count; i++)
-        count += z->entry[i].verdict == v && z->entry[i].first == z->entry[i].last;
+        count += z->entry[i].verdict == v;
     for (size_t i = 0; i < z->count; i++) {
         report_entry *e = &z->entry[i];
-        if (e->verdict != v || e->first != e->last)
+        if (e->verdict != v)
             continue;
         /* MOST_SHOWN places, evenly spread from the first to the last */
-        e->shown = count <= MOST_SHOWN || at == place * (count - 1) / (MOST_SHOWN - 1);
-        place += e->shown;
+        if (count <= MOST_SHOWN || at == place * (count - 1) / (MOST_SHOWN - 1)) {
+            show(e, e->k.first);
+            place++;
+        }
         at++;
     }
 }
 
-static bool is_listed(const valence_list *list, long valence)
+/* The first valence of the list that the entry is about. */
+static void choose_listed(report_entry *e, const valence_list *list)
 {
-    for (int i = 0; i < list->ranges; i++)
-        if (valence >= list->range[i].first && valence <= list->range[i].last)
-            return true;
-    return false;
+    for (int i = list->ranges - 1; i >= 0; i--)
+        if (valence_range_overlap(list->range[i], e->k))
+            show(e, list->range[i].first > e->k.first ? list->range[i].first : e->k.first);
 }
 
 void report_choose(report *z, const valence_list *list)
 {
     if (list)
         for (size_t i = 0; i < z->count; i++)
-            z->entry[i].shown = z->entry[i].first == z->entry[i].last && is_listed(list, z->entry[i].first);
+            choose_listed(&z->entry[i], list);
     else
         for (int v = VERDICT_PROVED; v <= VERDICT_UNDECIDED; v++)
             choose_some(z, (verdict)v);
@@ -298,7 +271,9 @@ static void note_choices(report_entry *e, const choices *c)
     e->frequency = c->frequency;
     e->grid = c->grid;
     e->plainly_regular = c->plainly_regular;
-    e->radius = c->plainly_regular ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
+    if (claim_is_exact(c->claim))
+        e->log.others = NAN; /* equal ones are no bound */
+    e->radius = c->plainly_regular || claim_is_exact(c->claim) ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
     for (int i = 0; i < 2 && c->claim == CLAIM_FOLD && e->picture.taken && e->picture.with_net; i++)
         e->witness[i] = find_witness(&e->picture, &c->witness[i]);
 }
@@ -314,25 +289,23 @@ static void note_findings(report_entry *e, const findings *f)
     }
 }
 
-/* Does the text have the digest of the index, and prove its verdict?  The figures are taken over. */
+/* Does the text prove the verdict?  The figures are taken over. */
 static report_status replay(report *z, report_entry *e, const buffer *text)
 {
     deadline never = {0};
     analysis_plan plan = {.problem = &z->problem, .deadline = &never, .system = "grid"};
     findings f;
     choices c;
-    char digest[65];
     long line = 0;
     report_status result = REPORT_OK;
     findings_init(&f);
     choices_init(&c);
-    sha256_hex(digest, text->bytes ? text->bytes : "", text->length);
-    if (e->first == e->last && (e->shown || (size_t)(e - z->entry) % (z->count / MOST_MEASURED + 1) == 0))
+    if (is_one_valence(e->k) && (e->shown || (size_t)(e - z->entry) % (z->count / MOST_MEASURED + 1) == 0))
         plan.picture = &e->picture;
     if (!certificate_read(&c, &line, &z->scheme, text->bytes ? text->bytes : "", text->length)) {
         result = REPORT_NO_MEMORY;
-    } else if (line == 0 && c.k.first == e->first && !strcmp(digest, e->digest) && (c.claim == CLAIM_C1) == (e->verdict == VERDICT_PROVED)) {
-        outcome o = analysis_replay_grid(&f, &c, &plan, c.grid);
+    } else if (line == 0 && valence_range_equal(c.k, e->k) && (c.claim == CLAIM_C1) == (e->verdict == VERDICT_PROVED)) {
+        outcome o = analysis_replay(&f, &c, &plan);
         e->followed = o == OUTCOME_TRUE;
         result = o == OUTCOME_NO_MEMORY ? REPORT_NO_MEMORY : REPORT_OK;
         note_choices(e, &c);
@@ -343,8 +316,8 @@ static report_status replay(report *z, report_entry *e, const buffer *text)
     return result;
 }
 
-/* How far a search in double intervals comes, for a picture of what is undecided. */
-static report_status look_at_undecided(report *z, report_entry *e)
+/* How far a search in double intervals comes at one valence, for a picture of what is undecided, or of one of many. */
+static report_status look(report *z, report_entry *e)
 {
     deadline never = {0};
     analysis_plan plan = {.problem = &z->problem, .deadline = &never, .system = "interval", .max_level = 6, .picture = &e->picture};
@@ -353,9 +326,8 @@ static report_status look_at_undecided(report *z, report_entry *e)
     outcome o;
     findings_init(&f);
     choices_init(&c);
-    c.k = one_valence(e->first);
+    c.k = one_valence(e->at);
     o = analysis_search(&f, &c, &plan, 0);
-    e->jacobian = e->radius = NAN;
     choices_clear(&c);
     findings_clear(&f);
     return o == OUTCOME_NO_MEMORY ? REPORT_NO_MEMORY : REPORT_OK;
@@ -366,16 +338,19 @@ report_status report_follow(report *z, report_entry *e)
     buffer text;
     report_status result;
     e->picture.with_net = e->shown;
+    e->jacobian = e->radius = NAN;
     if (e->verdict == VERDICT_UNDECIDED)
-        return e->shown ? look_at_undecided(z, e) : REPORT_OK;
+        return e->shown ? look(z, e) : REPORT_OK;
     buffer_init(&text);
-    result = read_file(z, &text, e->file);
+    result = read_file(z, &text, e, ARCHIVE_CERTIFICATE);
     if (result == REPORT_OK)
         result = replay(z, e, &text);
     if (result == REPORT_OK && !e->followed) {
-        snprintf(z->complaint, sizeof z->complaint, "%.300s/%.80s: the certificate does not prove what the index says of valence %.48s", z->path, e->file, e->name);
+        snprintf(z->complaint, sizeof z->complaint, "%.300s: the certificate of valence %.48s does not prove what it claims", z->view.path, e->name);
         result = REPORT_BAD_INPUT;
     }
     buffer_clear(&text);
+    if (result == REPORT_OK && e->shown && !is_one_valence(e->k) && e->verdict == VERDICT_PROVED)
+        result = look(z, e);
     return result;
 }

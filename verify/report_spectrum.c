@@ -122,9 +122,9 @@ static void draw(buffer *z, const report *r, const report_entry *e, const spectr
     plot p = {.left = 74, .top = 56, .width = 600, .height = 260, .x_label = "block m (nets that turn m times round the vertex)", .y_label = "modulus of eigenvalues"};
     char title[160];
     double bar;
-    snprintf(title, sizeof title, "Eigenvalues of %s at valence %s, by block", r->scheme.name, e->name);
-    choose_scales(&p, l, e->first);
-    bar = fmin(22, fmax(1.5, 0.7 * p.width / ((double)(e->first / 2) + 1)));
+    snprintf(title, sizeof title, "Eigenvalues of %s at valence %s, by block", r->scheme.name, e->at_name);
+    choose_scales(&p, l, e->at);
+    bar = fmin(22, fmax(1.5, 0.7 * p.width / ((double)(e->at / 2) + 1)));
     svg_begin(z, 700, 370, title);
     svg_group(z, "font-size=\"14\" font-weight=\"bold\"");
     svg_text(z, 14, 20, SVG_START, title);
@@ -142,7 +142,7 @@ static void draw(buffer *z, const report *r, const report_entry *e, const spectr
 report_status report_spectrum(buffer *z, const report *r, const report_entry *e)
 {
     spectrum_list l;
-    report_status result = enclose(&l, &r->scheme, e->first);
+    report_status result = enclose(&l, &r->scheme, e->at);
     if (result == REPORT_OK)
         draw(z, r, e, &l);
     spectrum_list_clear(&l);

@@ -74,7 +74,7 @@ static span elements_of_refuted(const report_entry *e)
 
 static bool is_measured(const report_entry *e)
 {
-    return is_usual(e) && e->picture.taken && e->claim == CLAIM_C1;
+    return is_usual(e) && e->picture.taken && e->claim == CLAIM_C1 && is_one_valence(e->k);
 }
 
 static span least(const report_entry *e)
@@ -158,9 +158,15 @@ static bool is_seen(const plot_kind *kind, span s)
     return isfinite(s.upper) && (!kind->logarithmic || s.upper > 0);
 }
 
-static void draw_span(buffer *z, const plot *p, const series *s, double at, span v)
+/* Where an entry ends on the axis. */
+static double last_of(const plot *p, const report_entry *e)
 {
-    double low = fmax(v.lower, p->y.low), x = plot_x(p, at), y = plot_y(p, v.upper), below = plot_y(p, low);
+    return e->k.last == VALENCES_UNBOUNDED ? p->x.high : (double)e->k.last;
+}
+
+static void draw_span(buffer *z, const plot *p, const series *s, const report_entry *e, span v)
+{
+    double low = fmax(v.lower, p->y.low), x = plot_x(p, (double)e->k.first), y = plot_y(p, v.upper), below = plot_y(p, low);
     if (isfinite(below) && fabs(below - y) > 1) {
         char attributes[48];
         snprintf(attributes, sizeof attributes, "stroke=\"%s\" stroke-width=\"1.2\"", s->colour);
@@ -171,13 +177,20 @@ static void draw_span(buffer *z, const plot *p, const series *s, double at, span
         svg_end_group(z);
         y = (y + below) / 2;
     }
+    if (!is_one_valence(e->k)) {
+        char attributes[48];
+        snprintf(attributes, sizeof attributes, "stroke=\"%s\" stroke-width=\"2\"", s->colour);
+        svg_group(z, attributes);
+        svg_line(z, x, y, plot_x(p, last_of(p, e)), y);
+        svg_end_group(z);
+    }
     svg_mark(z, s->shape, x, y, 3, s->colour);
 }
 
 static int choose_scales(plot *p, const report *r, const plot_kind *kind)
 {
     int seen = 0;
-    double ratio = (double)r->entry[r->count - 1].first / (double)r->entry[0].first;
+    double ratio = (double)r->entry[r->count - 1].k.first / (double)r->entry[0].k.first; /* the last may have no end */
     p->x = plot_empty_scale(ratio > LOGARITHMIC_FROM, true);
     p->y = plot_empty_scale(kind->logarithmic, kind->whole);
     for (size_t i = 0; i < r->count; i++)
@@ -186,7 +199,8 @@ static int choose_scales(plot *p, const report *r, const plot_kind *kind)
             if (!is_seen(kind, v))
                 continue;
             seen++;
-            plot_hold(&p->x, (double)r->entry[i].first);
+            plot_hold(&p->x, (double)r->entry[i].k.first);
+            plot_hold(&p->x, r->entry[i].k.last == VALENCES_UNBOUNDED ? 2 * (double)r->entry[i].k.first : (double)r->entry[i].k.last);
             plot_hold(&p->y, v.upper);
             plot_hold(&p->y, v.lower);
         }
@@ -202,7 +216,7 @@ static void draw_series(buffer *z, const plot *p, const report *r, const plot_ki
         span v = s->get(&r->entry[i]);
         if (!is_seen(kind, v))
             continue;
-        draw_span(z, p, s, (double)r->entry[i].first, v);
+        draw_span(z, p, s, &r->entry[i], v);
         seen = true;
     }
     if (seen)

@@ -29,7 +29,9 @@ helps() { # NAME OPTION ARGUMENT...
 
 helps levels --max-level modified-butterfly --valence 3 --max-level 2 --max-precision 0
 helps bits --max-precision loop-ring --set l2=1/2-1/10^20 --valence 7 --max-precision 0
-advises tie "more bits will hardly help if eigenvalues are equal: see 'smoothcert spectrum' at this valence" butterfly --valence 3 --max-precision 1024
+# Two equal eigenvalues that no cyclotomic field holds.
+"$SMOOTHCERT" schemes loop-ring | sed 's/cases(m = 0: a; m = 1: l; m = 2: l2; else: others)/cases(m = 0: a; m = 1: sqrt(2)\/3; m = 2: sqrt(2)\/3; else: others)/' >tie.scheme
+advises tie "more bits will hardly help if eigenvalues are equal: see 'smoothcert spectrum' at this valence" ./tie.scheme --valence 7 --max-precision 1024
 advises uniform 'try --method adaptive, or --max-level 2' loop --valence 5 --method uniform --max-level 1
 advises time 'try a longer --time-limit' midpoint --set degree=9 --valence 1000 --time-limit 0.0001
 printf 'scheme linear\nmesh triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 1\n(1,0) 1/2\nend\nrule centre\ncentre 1/2\nall (1,0) rest\nend\n' >linear.scheme

@@ -5,6 +5,10 @@ if ! command -v bash >/dev/null; then
   echo "SKIP completion: there is no bash"
   exit 0
 fi
+if ! bash -c 'read -r _ < <(echo)' 2>/dev/null; then
+  echo "SKIP completion: bash has no /dev/fd here"
+  exit 0
+fi
 exec bash -s <<'SCRIPT'
 compopt() { :; } # a builtin that works while bash completes only
 # shellcheck source=/dev/null
@@ -51,6 +55,7 @@ exactly scheme _smoothcert "kobbelt" "$SMOOTHCERT" schemes ko
 exactly parameter _smoothcert "degree=" "$SMOOTHCERT" prove midpoint --set ""
 exactly method _smoothcert "uniform" "$SMOOTHCERT" prove loop --method u
 exactly directory _smoothcert "evidence" "$SMOOTHCERT" prove loop --out ev
+exactly archive _smoothcert "list verify diff pack" "$SMOOTHCERT" archive ""
 exactly number _smoothcert "" "$SMOOTHCERT" prove loop --valence ""
 exactly help _smoothcert "regular" "$SMOOTHCERT" help regu
 offers check-options _smoothcert_check "--scheme --set --valence --claim --help --version" "$SMOOTHCERT_CHECK" --

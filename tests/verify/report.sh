@@ -75,6 +75,9 @@ report spiral loop-spiral --valence 5,300
 report dual doo-sabin --valence 5
 report quads catmull-clark --valence 5,1000000
 report large butterfly --valence 1000
+report all loop --valence all
+has all-sentence all/report.html 'Proved:</b> the scheme is C1 at valence 3\.\.inf \(without end\)\.'
+has all-map all/report.html '>Characteristic map of loop, valence 3<'
 report uniform modified-loop --method uniform --valence 5
 has uniform-error uniform.svg/errors.svg 'uniform method'
 printf 'scheme grows\nmesh triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 5/8\n(1,0) 3/8\n(1,1) 1/8\n(2,0) 1/16\nend\nrule centre\ncentre 2\nall (1,0) rest\nend\n' >grows.scheme
@@ -101,18 +104,19 @@ mkdir empty
 refuses empty 65 "expected a directory of 'smoothcert prove'" empty
 refuses missing 65 "expected a directory of 'smoothcert prove'" nowhere
 cp -r proved no-index && rm no-index/index
-refuses no-index 65 'there is no index' no-index
+refuses no-index 65 'the index does not say what is there' no-index
 cp -r proved garbled && echo '5 perhaps' >>garbled/index
-refuses garbled 65 'index:11: expected' garbled
+refuses garbled 65 'the index does not say what is there' garbled
 cp -r proved forged && sed -i 's/^valence 7$/valence 8/' forged/valence-7.cert
-refuses forged 65 'valence-7.cert: the certificate does not prove' forged
+refuses forged 65 'the certificate of valence 7 is damaged' forged
 # A lie with the right digest: the Jacobian of valence 3 is not positive by these trees.
 cp -r proved lie && sed -i 's/^regularity .*/regularity 0/' lie/valence-5.cert
 digest=$(sed '$d' lie/valence-5.cert | sha256sum | cut -d ' ' -f 1)
 sed -i "s/^sha256 .*/sha256 $digest/" lie/valence-5.cert
 sed -i "s/^5 proved [0-9a-f]*/5 proved $(sha256sum <lie/valence-5.cert | cut -d ' ' -f 1)/" lie/index
-refuses lie 65 'valence-5.cert: the certificate does not prove' lie
+rm lie/journal
+refuses lie 65 'the certificate of valence 5 does not prove what it claims' lie
 cp -r proved lost && rm lost/valence-9.cert
-refuses lost 74 'valence-9.cert: No such file' lost
+refuses lost 65 'the index does not say what is there' lost
 refuses no-place 74 'nowhere/page.html' proved --out nowhere/page.html
 if [ -w /dev/full ]; then refuses full 74 '/dev/full: No space left' proved --out /dev/full; fi
