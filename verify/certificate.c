@@ -44,14 +44,13 @@ static void write_evidence(buffer *z, const choices *c)
         buffer_print(z, "witness %d %s\n", c->witness[i].element, c->witness[i].depth ? c->witness[i].path : "-");
 }
 
-static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold",
+static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
                                       [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one"};
 
-static void write_eigenpair(buffer *z, const choices *c)
+static void write_eigenpair(buffer *z, const choices *c, const eigenpair_choice *e, bool plain)
 {
-    const eigenpair_choice *e = &c->eigenpair;
     int values = e->complex_form ? 2 : 1, others = e->n - values;
-    buffer_print(z, "form %s\npivot %d\n", c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->pivot + 1);
+    buffer_print(z, "form %s\npivot %d\n", plain ? "plain" : e->complex_form ? "complex" : "real", e->pivot + 1);
     write_integers(z, "eigenvalue", e->approximation + others, values);
     write_integers(z, "eigenvector", e->approximation, others);
     write_integers(z, "radius", &e->radius, 1);
@@ -78,7 +77,11 @@ static void write_choices(buffer *z, const choices *c)
     if (claim_is_exact(c->claim))
         certificate_write_exact(z, c);
     else
-        write_eigenpair(z, c);
+        write_eigenpair(z, c, &c->eigenpair, c->frequency == 0);
+    if (c->claim == CLAIM_REAL) {
+        buffer_print(z, "second %ld\n", c->second_frequency);
+        write_eigenpair(z, c, &c->second, false);
+    }
     for (size_t i = 0; i < c->blocks.count; i++)
         buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
     write_evidence(z, c);
@@ -224,7 +227,7 @@ static void read_reason(reader *r, choices *c)
     if (claim_is_exact(c->claim))
         return;
     expect(r, "frequency");
-    c->frequency = read_long(r, 10, 0, (c->valence - 1) / 2);
+    c->frequency = read_long(r, 10, 0, c->claim == CLAIM_REAL ? c->valence / 2 : (c->valence - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
         r->failed = true;
 }
@@ -248,11 +251,10 @@ static void read_witness(reader *r, witness_choice *z)
     z->depth = (int)length;
 }
 
-static void read_eigenpair(reader *r, choices *c)
+static void read_one_eigenpair(reader *r, choices *c, eigenpair_choice *e, bool plain)
 {
-    eigenpair_choice *e = &c->eigenpair;
     integer eigenvalue[2];
-    bool complex_form = read_form(r, c->frequency == 0);
+    bool complex_form = read_form(r, plain);
     int values = complex_form ? 2 : 1, n, pivot;
     expect(r, "pivot");
     pivot = (int)read_long(r, 10, 1, CHOICES_MAX_ORDER);
@@ -288,6 +290,16 @@ static void read_eigenpair(reader *r, choices *c)
     }
     integer_clear(&eigenvalue[0]);
     integer_clear(&eigenvalue[1]);
+}
+
+static void read_eigenpair(reader *r, choices *c)
+{
+    read_one_eigenpair(r, c, &c->eigenpair, c->frequency == 0);
+    if (c->claim != CLAIM_REAL)
+        return;
+    expect(r, "second");
+    c->second_frequency = read_long(r, 10, 1, (c->valence - 1) / 2);
+    read_one_eigenpair(r, c, &c->second, false);
 }
 
 static void read_blocks(reader *r, choices *c)

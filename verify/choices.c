@@ -9,6 +9,7 @@ void choices_init(choices *z)
     z->claim = CLAIM_C1;
     z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
+    eigenpair_choice_init(&z->second);
     exact_choice_init(&z->exact);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);
@@ -19,6 +20,7 @@ void choices_init(choices *z)
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
+    eigenpair_choice_clear(&z->second);
     exact_choice_clear(&z->exact);
     integer_clear(&z->modulus);
     cover_list_clear(&z->blocks);

@@ -39,6 +39,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/real_test.c \
   verify/exact_test.h verify/exact_test.c \
   verify/exact_eigenvector.c \
   verify/block_matrix.h verify/block_matrix.c \

@@ -1,4 +1,5 @@
-/* t-exact.c: refutations that rest on numbers being equal: found, followed, and rejected if one thing is wrong. */
+/* t-exact.c: refutations that rest on numbers being equal, or on two eigenpairs: found, followed, and rejected if one thing
+   is wrong. */
 #include "common.h"
 
 /* Loop's mask with a weight of the centre whose eigenvalue is L itself, or minus it. */
@@ -21,6 +22,8 @@ static const refutation refutations[] = {
     {"jordan", NULL, "butterfly", NULL, 3, CLAIM_JORDAN, 2},
     {"minus-one", "1 - k/16", NULL, NULL, 26, CLAIM_MODULUS_ONE, 1},
     {"one", NULL, "loop-ring", "l2=1", 7, CLAIM_MODULUS_ONE, 1},
+    {"real", NULL, "loop-ring", "l2=3/4", 4, CLAIM_REAL, 0},
+    {"real-negative", NULL, "loop-ring", "l2=-3/4", 4, CLAIM_REAL, 0},
 };
 enum { REFUTATIONS = sizeof refutations / sizeof *refutations };
 
@@ -78,8 +81,8 @@ static void test_found(void)
 }
 
 /* One change each; false: there is nothing to change. */
-static bool change_sign(choices *c) { return c->exact.line[0].sign = -c->exact.line[0].sign, true; }
-static bool change_multiplicity(choices *c) { return c->exact.line[0].multiplicity++, true; }
+static bool change_sign(choices *c) { return c->exact.line[0].sign = -c->exact.line[0].sign, c->exact.count > 0; }
+static bool change_multiplicity(choices *c) { return c->exact.line[0].multiplicity++, c->exact.count > 0; }
 static bool change_size(choices *c)
 {
     bool larger = c->exact.line[0].size > 1;
@@ -106,7 +109,7 @@ static bool change_column_beyond(choices *c)
             return c->exact.line[i].column = 60, true;
     return false;
 }
-static bool change_frequency(choices *c) { return c->exact.line[c->exact.count - 1].frequency++, true; }
+static bool change_frequency(choices *c) { return c->exact.count ? (c->exact.line[c->exact.count - 1].frequency++, true) : false; }
 static bool change_power(choices *c)
 {
     bool used = c->exact.line[0].power > 0;
@@ -145,6 +148,8 @@ static bool change_radius_to_everything(choices *c)
 static bool change_blocks(choices *c) { return c->blocks.count ? (c->blocks.count--, true) : false; }
 static bool change_claim(choices *c)
 {
+    if (c->claim == CLAIM_REAL)
+        return false;
     c->claim = c->claim == CLAIM_TIE ? CLAIM_JORDAN : c->claim == CLAIM_JORDAN ? CLAIM_TIE : CLAIM_MODULUS_ONE;
     return c->claim != CLAIM_MODULUS_ONE;
 }
@@ -152,6 +157,43 @@ static bool change_witness(choices *c)
 {
     c->witness[0].element = 1000;
     return claim_witnesses(c->claim) > 0;
+}
+static bool change_second_frequency(choices *c) { return c->second_frequency = 0, c->claim == CLAIM_REAL; }
+/* Of the other eigenvalue that is said to be the second. */
+static bool change_second_to_first(choices *c)
+{
+    eigenpair_choice e = c->second;
+    if (c->claim != CLAIM_REAL)
+        return false;
+    c->second = c->eigenpair;
+    c->eigenpair = e;
+    return true;
+}
+static bool change_second_eigenvalue(choices *c)
+{
+    if (c->claim == CLAIM_REAL)
+        MUST(integer_mul_si(&c->second.approximation[c->second.n - 1], &c->second.approximation[c->second.n - 1], 2));
+    return c->claim == CLAIM_REAL;
+}
+static bool change_second_radius(choices *c)
+{
+    if (c->claim == CLAIM_REAL)
+        MUST(integer_mul_2exp(&c->second.radius, &c->second.radius, 60));
+    return c->claim == CLAIM_REAL;
+}
+static bool change_path(choices *c)
+{
+    c->witness[0].path[0] = '9';
+    c->witness[0].path[1] = '\0';
+    c->witness[0].depth = 1;
+    return claim_witnesses(c->claim) > 0;
+}
+static bool change_block(choices *c)
+{
+    for (size_t i = 0; i < c->blocks.count; i++)
+        if (c->blocks.box[i].power > 0)
+            return c->blocks.box[i].power = 0, true;
+    return false;
 }
 static bool change_valence(choices *c) { return c->valence++, true; }
 
@@ -166,6 +208,8 @@ static const change changes[] = {
     {"power of one", change_power_of_one}, {"last", change_last}, {"factor", change_factor}, {"factor slightly", change_factor_slightly},
     {"eigenvalue", change_eigenvalue}, {"radius", change_radius}, {"radius to everything", change_radius_to_everything}, {"blocks", change_blocks},
     {"claim", change_claim}, {"witness", change_witness}, {"valence", change_valence},
+    {"second frequency", change_second_frequency}, {"second in place of the first", change_second_to_first}, {"second eigenvalue", change_second_eigenvalue},
+    {"second radius", change_second_radius}, {"path", change_path}, {"power of a block", change_block},
 };
 enum { CHANGES = sizeof changes / sizeof *changes };
 
