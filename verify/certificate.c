@@ -367,6 +367,8 @@ static void read_choices(reader *r, choices *c)
         read_reason(r, c);
     (claim_is_exact(c->claim) ? read_exact : read_eigenpair)(r, c);
     read_blocks(r, c);
+    if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
+        r->failed = true; /* they need none */
     read_evidence(r, c);
 }
 

@@ -195,6 +195,11 @@ static bool change_block(choices *c)
             return c->blocks.box[i].power = 0, true;
     return false;
 }
+static bool change_more_boxes(choices *c)
+{
+    MUST(cover_list_add(&c->blocks, one_frequency(c->valence), 3));
+    return c->claim != CLAIM_MODULUS_ONE;
+}
 static bool change_valence(choices *c) { return c->valence++, true; }
 
 typedef struct {
@@ -210,6 +215,7 @@ static const change changes[] = {
     {"claim", change_claim}, {"witness", change_witness}, {"valence", change_valence},
     {"second frequency", change_second_frequency}, {"second in place of the first", change_second_to_first}, {"second eigenvalue", change_second_eigenvalue},
     {"second radius", change_second_radius}, {"path", change_path}, {"power of a block", change_block},
+    {"box behind all blocks", change_more_boxes},
 };
 enum { CHANGES = sizeof changes / sizeof *changes };
 
@@ -239,6 +245,32 @@ static void test_changed(void)
     test_end();
 }
 
+/* Here no real function is in front: neither that of block 2 at valence 4, which is smaller than that of block 1,
+   nor that of block 1 at valence 5, which is none. */
+static void test_not_real(void)
+{
+    static const long cases[2][3] = {{4, 2, 1}, {5, 1, 2}};
+    subject s;
+    test_begin("real-not");
+    subject_from_catalogue(&s, "loop-ring", "l2=2/5");
+    for (int i = 0; i < 2; i++) {
+        analysis_plan plan = {.problem = &s.problem, .deadline = &(deadline){0}, .system = "ball", .max_level = 10};
+        findings f;
+        choices c;
+        findings_init(&f);
+        choices_init(&c);
+        c.claim = CLAIM_REAL;
+        c.valence = cases[i][0];
+        c.frequency = cases[i][1];
+        c.second_frequency = cases[i][2];
+        CHECK(analysis_search(&f, &c, &plan, 128) != OUTCOME_TRUE, "valence %ld: block %ld dominates", cases[i][0], cases[i][1]);
+        choices_clear(&c);
+        findings_clear(&f);
+    }
+    subject_clear(&s);
+    test_end();
+}
+
 /* Almost equal is not equal: nothing exact is claimed of it. */
 static void test_almost(void)
 {
@@ -260,6 +292,7 @@ int main(void)
 {
     test_found();
     test_changed();
+    test_not_real();
     test_almost();
     return test_status();
 }
