@@ -19,6 +19,7 @@ static const refutation refutations[] = {
     {"tie-above", TIE_ABOVE, NULL, NULL, 5, CLAIM_TIE, 2},
     {"tie-below", TIE_BELOW, NULL, NULL, 7, CLAIM_TIE, 2},
     {"tie-of-others", NULL, "loop-ring", "others=1/2", 20, CLAIM_TIE, 9},
+    {"tie-negative", NULL, "loop-ring", "others=-3/4", 9, CLAIM_TIE, 2},
     {"jordan", NULL, "butterfly", NULL, 3, CLAIM_JORDAN, 2},
     {"minus-one", "1 - k/16", NULL, NULL, 26, CLAIM_MODULUS_ONE, 1},
     {"one", NULL, "loop-ring", "l2=1", 7, CLAIM_MODULUS_ONE, 1},
