@@ -62,7 +62,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/grid_compare.c \
   bigfloat/grid_text.c \
   \
-  bigfloat/number.h bigfloat/jet.h bigfloat/number_jet.h
+  bigfloat/number.h bigfloat/jet.h bigfloat/number_jet.h bigfloat/affine.h bigfloat/number_affine.h
 
 EXTRA_DIST += bigfloat/errors.md bigfloat/errors-trig.md
 

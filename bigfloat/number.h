@@ -5,8 +5,9 @@
    or grid (exact endpoints on a grid 2^-prec; the arithmetic of certificates).  A `number` denotes a
    closed set of real numbers that is an interval, at worst the *indeterminate* one: the whole line.
    NUMBER_NAME(f) is f_interval, f_ball or f_grid: name every external function of such a source with it.
-   (With NUMBER_JET, too, `number` is a jet of them: bigfloat/number_jet.h.  With NUMBER_COSINES it is an exact number
-   of a real cyclotomic field, and only what blocks need is there: bigfloat/cosines.h.)
+   (With NUMBER_JET, too, `number` is a jet of them: bigfloat/number_jet.h; with NUMBER_AFFINE an affine one:
+   bigfloat/number_affine.h.  With NUMBER_COSINES it is an exact number of a real cyclotomic field, and only what blocks
+   need is there: bigfloat/cosines.h.)
 
    In the contracts below x, y, r are any numbers of the sets given; each operation yields a set that contains
    the result for EVERY choice of them.  Nothing fails: division by a set that contains 0, the root of a set
@@ -57,11 +58,13 @@
 #include "interval.h"
 #define NUMBER_BASE_TYPE interval
 #define NUMBER_JET_TYPE jet_interval
+#define NUMBER_AFFINE_TYPE affine_interval
 #define NUMBER_SYSTEM_NAME "interval"
 #elif defined(NUMBER_BALL)
 #include "ball.h"
 #define NUMBER_BASE_TYPE ball
 #define NUMBER_JET_TYPE jet_ball
+#define NUMBER_AFFINE_TYPE affine_ball
 #define NUMBER_SYSTEM_NAME "ball"
 #elif defined(NUMBER_COSINES)
 #include "cosines.h"
@@ -70,6 +73,7 @@
 #include "grid.h"
 #define NUMBER_BASE_TYPE grid
 #define NUMBER_JET_TYPE jet_grid
+#define NUMBER_AFFINE_TYPE affine_grid
 #define NUMBER_SYSTEM_NAME "grid"
 #endif
 
@@ -169,6 +173,8 @@ typedef int number_mode;
 
 #if defined(NUMBER_JET)
 #include "number_jet.h"
+#elif defined(NUMBER_AFFINE)
+#include "number_affine.h"
 #endif
 
 #endif

@@ -23,6 +23,7 @@ LIB_SOURCES = \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/scheme_range.h lib/scheme_range.c \
+  lib/arc.h lib/arc.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
   lib/bernstein.h lib/bernstein.c \
@@ -32,7 +33,8 @@ LIB_SOURCES = \
   lib/schur_approx.h lib/schur_approx.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
-  lib/monotone_list.h lib/monotone_list.c
+  lib/monotone_list.h lib/monotone_list.c \
+  lib/range_choices.h lib/range_choices.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
@@ -69,6 +71,16 @@ LIB_COSINES_SOURCES = \
   lib/block.h lib/block.c \
   lib/exact_block.h lib/exact_block.c
 
+# Compiled for affine numbers of every kind, too.
+LIB_AFFINE_SOURCES = \
+  lib/formula_range.h \
+  lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
+  lib/block.h lib/block.c \
+  lib/block_affine.h lib/block_affine.c \
+  lib/charnet.h lib/charnet.c \
+  lib/patch.h lib/patch.c
+
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
   lib/catalogue/loop.scheme \
@@ -90,6 +102,7 @@ CATALOGUE = \
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
 JET_SOURCES += $(LIB_JET_SOURCES)
 COSINES_SOURCES += $(LIB_COSINES_SOURCES)
+AFFINE_SOURCES += $(LIB_AFFINE_SOURCES)
 
 noinst_LIBRARIES += libscheme.a
 libscheme_a_SOURCES = $(LIB_SOURCES)

@@ -87,6 +87,7 @@ GENERIC_TESTS = \
   tests/lib/t-block \
   tests/lib/t-frequencies \
   tests/lib/t-valence_ranges \
+  tests/lib/t-affine \
   tests/lib/t-catalogue \
   tests/lib/t-quad \
   tests/lib/t-spectrum \

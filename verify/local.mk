@@ -54,7 +54,16 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_survey.c \
   verify/analysis.c
 
+# Compiled for affine numbers of every kind, too.
+VERIFY_AFFINE_SOURCES = \
+  verify/adaptive.h verify/adaptive.c \
+  verify/tests.h \
+  verify/regularity_test.c \
+  verify/injectivity_test.c \
+  verify/zero_free_test.c
+
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
+AFFINE_SOURCES += $(VERIFY_AFFINE_SOURCES)
 
 noinst_LIBRARIES += libverify.a
 libverify_a_SOURCES = $(VERIFY_SOURCES)
