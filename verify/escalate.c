@@ -90,7 +90,7 @@ static outcome try_to_prove(decision *z, choices *c, analysis_plan *plan, long p
     return o;
 }
 
-/* The figures are those of the refutation if it succeeds, and else remain. */
+/* The figures are those of the refutation if it succeeds, and else remain.  s: of one valence. */
 static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *plan, long precision)
 {
     findings before = z->findings;
@@ -98,7 +98,7 @@ static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *pla
     outcome o;
     choices_init(&c);
     z->findings.eigenvalue = NULL;
-    o = refute(&z->findings, &c, s, plan, z->k.first, precision);
+    o = is_one_valence(z->k) ? refute(&z->findings, &c, s, plan, z->k.first, precision) : refute_range(&z->findings, &c, plan, z->k, precision);
     if (o == OUTCOME_TRUE) {
         refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
         o = certify(z, &c, plan);
@@ -229,6 +229,9 @@ void decide_range(decision *z, const problem *p, valence_range k, const limits *
     set_rung(z, &plan, l, precision);
     before = stop_watch(deadline_sign(&l->deadline));
     z->outcome = try_to_prove(z, &c, &plan, precision);
+    if ((z->outcome == OUTCOME_FAIL || z->outcome == OUTCOME_FALSE) && plan.found[TEST_EIGENPAIR] && !plan.found[TEST_SPECTRUM]
+        && try_to_refute(z, NULL, &plan, precision) == OUTCOME_TRUE)
+        z->outcome = OUTCOME_TRUE;
     choices_clear(&c);
     stop_watch(before);
     z->seconds = deadline_now() - start;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <stdlib.h>
 
 /* Of the first box, in u. */
 #define FIRST_WIDTH 0.04
@@ -52,6 +53,7 @@ static bool decide_box(progress_of_partition *s, decision *d)
         }
         if (d->outcome == OUTCOME_NO_MEMORY || d->outcome == OUTCOME_STOPPED)
             return true;
+        if (getenv("DBG")) for (int i=0;i<d->findings.attempt_count;i++) fprintf(stderr, "failed %ld..%ld: %s: %s\n", box.first, box.last, d->findings.attempts[i].test, d->findings.attempts[i].reason);
         decision_clear(d);
         s->width = width / 2;
     }
