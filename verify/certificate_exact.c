@@ -187,7 +187,7 @@ certificate_status certificate_read_exact(choices *c, const char **at, const cha
         read_factor(&r, e);
     while (r.status == CERTIFICATE_READ && comes(&r, "exact")) {
         if (e->count < EXACT_MAX_LINES)
-            read_line(&r, &e->line[e->count++], c->valence / 2);
+            read_line(&r, &e->line[e->count++], c->k.first / 2);
         else
             r.status = CERTIFICATE_MALFORMED;
     }

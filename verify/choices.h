@@ -7,6 +7,7 @@
 
 #include "../lib/cover_list.h"
 #include "../lib/eigenpair_choice.h"
+#include "../lib/range_choices.h"
 #include "exact_choice.h"
 #include "tree.h"
 
@@ -21,6 +22,7 @@
 #define CHOICES_MAX_ORDER 1024
 #define CHOICES_MAX_POWER 10000
 #define CHOICES_MAX_BLOCKS 10000
+#define CHOICES_MAX_RISES 1000
 #define CHOICES_MAX_TOTAL_POWER 200000
 
 /* K <= bound / 1024, by the windows of the power's mask; power 0: no weight is negative (lib/stability.h). */
@@ -49,7 +51,7 @@ typedef struct {
 typedef struct {
     claim_kind claim;
     long frequency;       /* of the eigenvalue: 1 for C1 and folds */
-    long valence;
+    valence_range k;
     long grid;            /* g: units of 2^-g */
     int contraction[3];   /* N_1 N_2 N_3 */
     bool plainly_regular; /* nothing else is needed */
@@ -59,12 +61,17 @@ typedef struct {
     eigenpair_choice second; /* and its eigenpair */
     exact_choice exact;   /* of claims that are exact, in place of the eigenpair */
     integer modulus;      /* ell < |L|, in the complex form */
-    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers */
+    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers; of several valences
+                             only these two */
+    rise_list rise;       /* of several valences: near m/k = 0, where the largest eigenvalue rises, */
+    span_list spans;      /*   and all other blocks (verify/certificate-valences.md, 4) */
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;
     witness_choice witness[2]; /* claim_witnesses of them */
 } choices;
+
+const char *claim_name(claim_kind c); /* as certificates call it */
 
 void choices_init(choices *z); /* of C1 */
 void choices_clear(choices *z);

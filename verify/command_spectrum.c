@@ -158,7 +158,9 @@ static void print_entry(const spectrum_entry *e)
         printf("  %s  + i (%s)", e->re, e->im);
     else
         printf("  %s", e->re);
-    if (e->re && e->count > 1)
+    if (e->re && e->count > 1 && e->real)
+        printf("   (%d times)", e->count);
+    else if (e->re && e->count > 1)
         printf("   (%d eigenvalues with multiplicity, that near)", e->count);
     if (e->re)
         printf("\n");

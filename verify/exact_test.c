@@ -104,7 +104,7 @@ static outcome make_line(analysis *a, int i)
     const exact_line *l = &a->choices->exact.line[i];
     field_polynomial factor;
     outcome o = OUTCOME_TRUE;
-    exact_block_status made = exact_block_make(&e->matrix[i], &e->field, a->plan->problem->scheme, a->choices->valence, l->frequency);
+    exact_block_status made = exact_block_make(&e->matrix[i], &e->field, a->plan->problem->scheme, a->choices->k.first, l->frequency);
     field_polynomial_init(&e->rest[i], &e->field);
     e->lines++;
     if (made != EXACT_BLOCK_OK)
@@ -306,12 +306,12 @@ static bool are_lines_good(const choices *c)
     for (int i = 0; i < e->count; i++) {
         const exact_line *l = &e->line[i];
         bool counts = l->column > 0;
-        if (l->frequency > c->valence / 2 || (i && l->frequency <= e->line[i - 1].frequency) || (counts && l->size != largest))
+        if (l->frequency > c->k.first / 2 || (i && l->frequency <= e->line[i - 1].frequency) || (counts && l->size != largest))
             return false;
         with_largest += l->size == largest;
         counting += counts;
-        of_dimension_two += counts && l->frequency > 0 && 2 * l->frequency != c->valence;
-        if (counts && c->claim == CLAIM_JORDAN && (l->frequency == 1 || 2 * l->frequency == c->valence || l->multiplicity >= 2 * l->size))
+        of_dimension_two += counts && l->frequency > 0 && 2 * l->frequency != c->k.first;
+        if (counts && c->claim == CLAIM_JORDAN && (l->frequency == 1 || 2 * l->frequency == c->k.first || l->multiplicity >= 2 * l->size))
             return false;
         if (c->claim == CLAIM_MODULUS_ONE && (l->power || (l->frequency == 0 && l->sign > 0)))
             return false;

@@ -4,42 +4,6 @@
 
 #include <string.h>
 
-/* ---- two eigenpairs ---- */
-
-static analysis_pair take_pair(const analysis *a)
-{
-    return (analysis_pair){a->dominant, a->matrix, a->order, a->box, a->net, a->net_made};
-}
-
-/* The twist of a net is its block's, wherever that is. */
-static void put_pair(analysis *a, const analysis_pair *p)
-{
-    a->dominant = p->dominant;
-    a->matrix = p->matrix;
-    a->order = p->order;
-    a->box = p->box;
-    a->net = p->net;
-    a->net_made = p->net_made;
-    if (a->net.twist)
-        a->net.twist = &a->dominant.twist;
-}
-
-void analysis_exchange(analysis *a)
-{
-    choices *c = a->choices;
-    analysis_pair here = take_pair(a);
-    eigenpair_choice e = c->eigenpair;
-    long m = c->frequency;
-    put_pair(a, &a->other);
-    a->other = here;
-    if (a->other.net.twist)
-        a->other.net.twist = &a->other.dominant.twist;
-    c->eigenpair = c->second;
-    c->second = e;
-    c->frequency = c->second_frequency;
-    c->second_frequency = m;
-}
-
 /* Is the modulus of the second eigenvalue smaller? */
 static bool is_second_smaller(const analysis *a)
 {
@@ -62,7 +26,7 @@ outcome test_second(analysis *a)
     outcome o;
     if (!a->plan->problem->scheme->mirror_symmetric)
         return findings_explain(a->findings, OUTCOME_FALSE, "the scheme is not evidently mirror-symmetric");
-    if (c->frequency != 0 && 2 * c->frequency != c->valence)
+    if (c->frequency != 0 && 2 * c->frequency != c->k.first)
         return findings_explain(a->findings, OUTCOME_FALSE, "block %ld is not of real nets", c->frequency);
     analysis_exchange(a);
     o = test_eigenpair(a);

@@ -25,7 +25,7 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
     choices_clear(c);
     c->claim = claim;
     c->frequency = frequency;
-    c->valence = valence;
+    c->k = one_valence(valence);
     return attempt_choices(f, c, plan, precision);
 }
 
@@ -38,7 +38,7 @@ static outcome attempt_real(findings *f, choices *c, const suspicion *s, const a
     c->claim = CLAIM_REAL;
     c->frequency = s->candidates.frequency[i];
     c->second_frequency = s->candidates.pair;
-    c->valence = valence;
+    c->k = one_valence(valence);
     return attempt_choices(f, c, plan, precision);
 }
 
@@ -47,7 +47,7 @@ static outcome attempt_exact(findings *f, choices *c, suspicion *s, const analys
 {
     truth found;
     choices_clear(c);
-    c->valence = valence;
+    c->k = one_valence(valence);
     found = exact_search(&c->exact, &c->claim, plan->problem->scheme, valence, &s->candidates);
     s->no_exact = found == TRUTH_UNKNOWN;
     return found == TRUTH_TRUE ? attempt_choices(f, c, plan, precision) : found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : OUTCOME_FAIL;

@@ -103,15 +103,10 @@ static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, s
     return true;
 }
 
-static bool no_time_left(const void *data)
-{
-    return deadline_passed(data);
-}
-
 /* All blocks of a range, in which the one of L is not, as lib/cover.h has it. */
 static outcome prove_range(analysis *a, frequencies m, size_t *next)
 {
-    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true, {no_time_left, a->plan->deadline}};
+    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true};
     cover_list *blocks = &a->choices->blocks, boxes;
     cover_answer answer;
     diagnostic d;
@@ -123,7 +118,7 @@ static outcome prove_range(analysis *a, frequencies m, size_t *next)
         cover_list_clear(&boxes);
         return OUTCOME_NO_MEMORY;
     }
-    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &limits.stop, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
+    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
     o = analysis_from_block(a, answer.status, &d);
     if (o == OUTCOME_TRUE && answer.stopped)
         o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
@@ -196,7 +191,7 @@ static outcome prove_all(analysis *a, size_t *next)
             o = prove_special(a, m, next);
         first = m + 1;
     }
-    return o == OUTCOME_TRUE ? prove_between(a, (frequencies){first, c->valence / 2}, next) : o;
+    return o == OUTCOME_TRUE ? prove_between(a, (frequencies){first, c->k.first / 2}, next) : o;
 }
 
 outcome test_spectrum(analysis *a)
@@ -211,7 +206,7 @@ outcome test_spectrum(analysis *a)
     }
     o = prove_all(a, &next);
     if (o == OUTCOME_TRUE && next != blocks->count)
-        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", a->choices->valence / 2);
+        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", a->choices->k.first / 2);
     if (o == OUTCOME_TRUE && !is_within_limits(blocks))
         o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers or blocks beyond the limits of certificates (%d, %d)",
                              CHOICES_MAX_TOTAL_POWER, CHOICES_MAX_BLOCKS);

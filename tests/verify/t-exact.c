@@ -198,10 +198,10 @@ static bool change_block(choices *c)
 }
 static bool change_more_boxes(choices *c)
 {
-    MUST(cover_list_add(&c->blocks, one_frequency(c->valence), 3));
+    MUST(cover_list_add(&c->blocks, one_frequency(c->k.first), 3));
     return c->claim != CLAIM_MODULUS_ONE;
 }
-static bool change_valence(choices *c) { return c->valence++, true; }
+static bool change_valence(choices *c) { return c->k.first++, c->k.last++, true; }
 
 typedef struct {
     const char *name;
