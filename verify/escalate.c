@@ -217,7 +217,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
     z->seconds = deadline_now() - start;
 }
 
-void decide_range(decision *z, const problem *p, valence_range k, const limits *l)
+void decide_range(decision *z, const problem *p, valence_range k, bool refutes, const limits *l)
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS};
@@ -228,10 +228,7 @@ void decide_range(decision *z, const problem *p, valence_range k, const limits *
     c.k = z->k = k;
     set_rung(z, &plan, l, precision);
     before = stop_watch(deadline_sign(&l->deadline));
-    z->outcome = try_to_prove(z, &c, &plan, precision);
-    if ((z->outcome == OUTCOME_FAIL || z->outcome == OUTCOME_FALSE) && plan.found[TEST_EIGENPAIR] && !plan.found[TEST_SPECTRUM]
-        && try_to_refute(z, NULL, &plan, precision) == OUTCOME_TRUE)
-        z->outcome = OUTCOME_TRUE;
+    z->outcome = refutes ? try_to_refute(z, NULL, &plan, precision) : try_to_prove(z, &c, &plan, precision);
     choices_clear(&c);
     stop_watch(before);
     z->seconds = deadline_now() - start;

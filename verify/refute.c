@@ -150,7 +150,7 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
             snprintf(text, size, "frequency 0 dominates (%.8f, frequency 1 has %.8f); nothing turns round the point", l, s->candidates.radius_of_one);
         break;
     case CLAIM_WINDOW:
-        snprintf(text, size, "some frequency m with m/k from %.6f to %.6f dominates (at least %.8f; the same for all k); the surface would wind m times",
+        snprintf(text, size, "at each of them a frequency m with m/k from %.6f to %.6f dominates (by %.8f at least); the surface would wind m times",
                  ldexp((double)c->window.start, -ARC_BITS), ldexp((double)window_choice_end(&c->window), -ARC_BITS), l);
         break;
     case CLAIM_NOT_C0:
