@@ -165,26 +165,6 @@ static outcome evaluate_scheme(analysis *a)
     }
 }
 
-typedef struct {
-    test_name name;
-    const char *words;
-    outcome (*run)(analysis *);
-    unsigned claims; /* that need it: 1 << claim_kind */
-} analysis_test;
-
-enum {
-    C1 = 1 << CLAIM_C1,
-    FREQUENCY = 1 << CLAIM_FREQUENCY,
-    NOT_C0 = 1 << CLAIM_NOT_C0,
-    FOLD = 1 << CLAIM_FOLD,
-    REAL = 1 << CLAIM_REAL,
-    TIE = 1 << CLAIM_TIE,
-    JORDAN = 1 << CLAIM_JORDAN,
-    MODULUS_ONE = 1 << CLAIM_MODULUS_ONE,
-    ENCLOSED = C1 | FREQUENCY | NOT_C0 | FOLD | REAL,
-    EXACT = TIE | JORDAN | MODULUS_ONE
-};
-
 /* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
 static bool is_still_true(const analysis *a, test_name name)
 {
@@ -230,17 +210,9 @@ static outcome run_uniform(analysis *a)
 
 static outcome run_tests(analysis *a)
 {
-    static const analysis_test tests[] = {
-        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ENCLOSED | EXACT}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ENCLOSED},
-        {TEST_SECOND, "second eigenpair", test_second, REAL}, {TEST_EXACT, "exact", test_exact, EXACT},
-        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD | REAL | TIE | JORDAN},
-        {TEST_REGULARITY, "regularity", test_regularity, C1}, {TEST_INJECTIVITY, "injectivity", test_injectivity, C1},
-        {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY | JORDAN}, {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0},
-        {TEST_WITNESS, "fold", test_fold, FOLD}, {TEST_WITNESS, "normals", test_real, REAL},
-        {TEST_WITNESS, "nonzero", test_exact_witnesses, TIE | MODULUS_ONE},
-    };
+    const analysis_test *tests = analysis_tests;
     outcome o = OUTCOME_TRUE;
-    for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
+    for (size_t i = 0; o == OUTCOME_TRUE && tests[i].run; i++) {
         if (!(tests[i].claims & 1U << a->choices->claim))
             continue;
         if (tests[i].name == TEST_EIGENPAIR || tests[i].name == TEST_EXACT) {
@@ -262,7 +234,7 @@ static bool describe(analysis *a)
     findings *f = a->findings;
     int digits = a->prec < 128 ? 16 : MOST_DIGITS;
     char *re, *im;
-    if (a->choices->plainly_regular || a->replay)
+    if (a->choices->plainly_regular || a->replay || !a->box)
         return true;
     free(f->eigenvalue);
     re = number_get_decimal(&a->box[a->order], digits);

@@ -66,6 +66,17 @@ static void write_form(buffer *z, const choices *c, const eigenpair_choice *e, b
         write_integers(z, "modulus", &c->modulus, 1);
 }
 
+static void write_window(buffer *z, const window_choice *w)
+{
+    buffer_print(z, "form real\nwindow %" PRIx64 "\n", w->start);
+    write_integers(z, "bound", &w->bound, 1);
+    for (size_t i = 0; i < w->count; i++) {
+        buffer_print(z, "wave %" PRIx64 " %d\n", w->wave[i].q, w->wave[i].power);
+        write_eigenpair(z, &w->wave[i].eigenpair);
+        buffer_print(z, "boundary %s\n", letters(&w->wave[i].boundary));
+    }
+}
+
 /* "7", "8 20", "21 inf" */
 static void write_range(buffer *z, const char *name, long first, long last)
 {
@@ -112,9 +123,11 @@ static void write_choices(buffer *z, const choices *c)
     if (c->claim != CLAIM_C1)
         buffer_print(z, "reason %s\n", claim_name(c->claim));
     if (c->claim != CLAIM_C1 && !claim_is_exact(c->claim))
-        buffer_print(z, "frequency %ld\n", c->frequency);
+        c->claim == CLAIM_WINDOW ? buffer_print(z, "frequency window\n") : buffer_print(z, "frequency %ld\n", c->frequency);
     if (claim_is_exact(c->claim))
         certificate_write_exact(z, c);
+    else if (c->claim == CLAIM_WINDOW)
+        write_window(z, &c->window);
     else
         write_form(z, c, &c->eigenpair, c->frequency == 0);
     if (c->claim == CLAIM_REAL) {
@@ -255,7 +268,7 @@ static void read_reason(reader *r, choices *c)
 {
     expect(r, "reason");
     c->claim = CLAIM_C1;
-    for (claim_kind k = CLAIM_FREQUENCY; k < CLAIMS; k++)
+    for (claim_kind k = CLAIM_FREQUENCY; k < CLAIM_WINDOW; k++)
         if (comes_next(r, claim_name(k)))
             c->claim = k;
     if (c->claim == CLAIM_C1)
@@ -265,6 +278,11 @@ static void read_reason(reader *r, choices *c)
     if (claim_is_exact(c->claim))
         return;
     expect(r, "frequency");
+    if (c->claim == CLAIM_FREQUENCY && !is_one_valence(c->k) && comes_next(r, "window")) {
+        expect(r, "window");
+        c->claim = CLAIM_WINDOW;
+        return;
+    }
     c->frequency = read_long(r, 10, 0, c->claim == CLAIM_REAL ? c->k.first / 2 : (c->k.first - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
         r->failed = true;
@@ -362,6 +380,29 @@ static int read_power(reader *r, long *total)
     if (*total > CHOICES_MAX_TOTAL_POWER)
         r->failed = true;
     return power;
+}
+
+static void read_window(reader *r, choices *c, long *total)
+{
+    window_choice *w = &c->window;
+    read_form(r, false);
+    expect(r, "window");
+    w->start = read_long(r, 16, 0, ARC_HALF);
+    expect(r, "bound");
+    read_integer(r, &w->bound, 16);
+    while (!r->failed && comes_next(r, "wave")) {
+        window_wave *wave = w->count < CHOICES_MAX_RISES ? window_choice_add(w) : NULL;
+        if (!wave) {
+            r->no_memory = w->count < CHOICES_MAX_RISES;
+            r->failed = true;
+            return;
+        }
+        expect(r, "wave");
+        wave->q = read_long(r, 16, 0, ARC_HALF);
+        wave->power = read_power(r, total);
+        read_eigenpair(r, &wave->eigenpair, c->grid, false, true);
+        read_tree(r, &wave->boundary, "boundary");
+    }
 }
 
 static void read_blocks(reader *r, choices *c, long *total)
@@ -482,9 +523,11 @@ static void read_choices(reader *r, choices *c)
         read_reason(r, c);
     if (claim_is_exact(c->claim))
         read_exact(r, c);
+    else if (c->claim == CLAIM_WINDOW)
+        read_window(r, c, &total);
     else
         read_pair(r, c, several);
-    if (several)
+    if (several && c1)
         read_limit(r, c, &total);
     read_blocks(r, c, &total);
     if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))

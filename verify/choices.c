@@ -6,7 +6,8 @@
 const char *claim_name(claim_kind c)
 {
     static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
-                                         [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one"};
+                                         [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one",
+                                         [CLAIM_WINDOW] = "frequency"};
     return names[c];
 }
 
@@ -23,6 +24,7 @@ void choices_init(choices *z)
     eigenpair_choice_init(&z->limit.eigenpair);
     rise_list_init(&z->rise);
     span_list_init(&z->spans);
+    window_choice_init(&z->window);
     tree_init(&z->regularity);
     tree_init(&z->boundary);
 }
@@ -37,6 +39,7 @@ void choices_clear(choices *z)
     eigenpair_choice_clear(&z->limit.eigenpair);
     rise_list_clear(&z->rise);
     span_list_clear(&z->spans);
+    window_choice_clear(&z->window);
     tree_clear(&z->regularity);
     tree_clear(&z->boundary);
     choices_init(z);

@@ -10,6 +10,7 @@
 #include "../lib/range_choices.h"
 #include "exact_choice.h"
 #include "tree.h"
+#include "window_choice.h"
 
 #include <stdint.h>
 
@@ -31,8 +32,9 @@ typedef struct {
     int64_t bound;
 } stability_choice;
 
-/* What a certificate proves: C1, or why not (verify/certificate.md, section 10; those behind CLAIM_REAL verify/exact.md). */
-typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIMS } claim_kind;
+/* What a certificate proves: C1, or why not (verify/certificate.md, section 10; those behind CLAIM_REAL verify/exact.md,
+   CLAIM_WINDOW, of several valences only, verify/certificate-valences.md, section 6). */
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIM_WINDOW, CLAIMS } claim_kind;
 
 /* Does it rest on numbers being equal? */
 static inline bool claim_is_exact(claim_kind c) { return c == CLAIM_TIE || c == CLAIM_JORDAN || c == CLAIM_MODULUS_ONE; }
@@ -67,6 +69,7 @@ typedef struct {
     rise_box limit;       /*   then its pair and power (lib/limit.h), q having no meaning */
     rise_list rise;       /* of several valences: near m/k = 0, where the largest eigenvalue rises, */
     span_list spans;      /*   and all other blocks (verify/certificate-valences.md, 4) */
+    window_choice window; /* of CLAIM_WINDOW, in place of the eigenpair */
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;

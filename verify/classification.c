@@ -6,6 +6,7 @@
 #include "../lib/growing.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void classification_init(classification *z)
 {
@@ -21,7 +22,7 @@ void classification_clear(classification *z)
 /* Frequencies count where they are always the same one. */
 static bool is_same_answer(const classification_part *x, const decision *d)
 {
-    return x->verdict == d->verdict && (d->verdict != VERDICT_REFUTED || (x->claim == d->claim && (x->frequency == 0) == (d->frequency == 0)));
+    return x->verdict == d->verdict && (d->verdict != VERDICT_REFUTED || (!strcmp(claim_name(x->claim), claim_name(d->claim)) && (x->frequency == 0) == (d->frequency == 0)));
 }
 
 bool classification_add(classification *z, const decision *d)

@@ -90,7 +90,7 @@ static outcome try_to_prove(decision *z, choices *c, analysis_plan *plan, long p
     return o;
 }
 
-/* The figures are those of the refutation if it succeeds, and else remain. */
+/* The figures are those of the refutation if it succeeds, and else remain.  s: of one valence. */
 static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *plan, long precision)
 {
     findings before = z->findings;
@@ -98,7 +98,7 @@ static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *pla
     outcome o;
     choices_init(&c);
     z->findings.eigenvalue = NULL;
-    o = refute(&z->findings, &c, s, plan, z->k.first, precision);
+    o = is_one_valence(z->k) ? refute(&z->findings, &c, s, plan, z->k.first, precision) : refute_range(&z->findings, &c, plan, z->k, precision);
     if (o == OUTCOME_TRUE) {
         refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
         o = certify(z, &c, plan);
@@ -217,7 +217,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
     z->seconds = deadline_now() - start;
 }
 
-void decide_range(decision *z, const problem *p, valence_range k, const limits *l)
+void decide_range(decision *z, const problem *p, valence_range k, bool refutes, const limits *l)
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS};
@@ -228,7 +228,7 @@ void decide_range(decision *z, const problem *p, valence_range k, const limits *
     c.k = z->k = k;
     set_rung(z, &plan, l, precision);
     before = stop_watch(deadline_sign(&l->deadline));
-    z->outcome = try_to_prove(z, &c, &plan, precision);
+    z->outcome = refutes ? try_to_refute(z, NULL, &plan, precision) : try_to_prove(z, &c, &plan, precision);
     choices_clear(&c);
     stop_watch(before);
     z->seconds = deadline_now() - start;

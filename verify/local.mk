@@ -8,6 +8,7 @@ VERIFY_SOURCES = \
   verify/tree.h verify/tree.c \
   verify/valence_range.h verify/valence_range.c \
   verify/exact_choice.h verify/exact_choice.c \
+  verify/window_choice.h verify/window_choice.c \
   verify/choices.h verify/choices.c \
   verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
@@ -75,6 +76,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/spectrum_blocks.h verify/spectrum_blocks.c \
   verify/spectrum_survey.c \
   verify/picture_take.c \
+  verify/analysis_tests.c \
   verify/analysis.c
 
 # Compiled for affine numbers of every kind, too.
@@ -87,9 +89,10 @@ VERIFY_AFFINE_SOURCES = \
   verify/fold_test.c \
   verify/regular_complex_test.c \
   verify/analysis_pair.c \
-  verify/range_limits.c \
+  verify/range_tests.c \
   verify/range_eigenpair_test.c \
   verify/range_spectrum_test.c \
+  verify/window_test.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)

@@ -18,6 +18,7 @@ typedef struct {
     long k;        /* the first one that is still open */
     double width;  /* of the next box */
     long singles;  /* in a row */
+    bool refuted;  /* the valence before, by a frequency other than 0: so may be the next ones */
 } progress_of_partition;
 
 static double u_of(long k)
@@ -45,7 +46,7 @@ static bool decide_box(progress_of_partition *s, decision *d)
         if (scheme_decided_up_to(&box.last, p->problem->scheme, box, &unused) != STATUS_OK || box.last == s->k)
             return false;
         width = u_of(box.last) - u_of(s->k);
-        decide_range(d, p->problem, box, p->limits);
+        decide_range(d, p->problem, box, s->refuted, p->limits);
         if (d->verdict != VERDICT_UNDECIDED) {
             s->width = width > s->width / 2 ? 1.5 * width : s->width;
             return true;
@@ -96,15 +97,25 @@ static void decide_next(progress_of_partition *s, decision *d)
     }
 }
 
+/* What was refuted for the first time is tried as wide as possible; and what no longer is, anew. */
+static void note_refutation(progress_of_partition *s, const decision *d)
+{
+    bool refuted = d->verdict == VERDICT_REFUTED && (d->claim == CLAIM_WINDOW || (d->claim == CLAIM_FREQUENCY && d->frequency > 1));
+    if (refuted != s->refuted)
+        s->width = refuted ? 1 : FIRST_WIDTH;
+    s->refuted = refuted;
+}
+
 bool partition_run(const partition *p, valence_range range)
 {
-    progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0};
+    progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0, false};
     bool more = true;
     for (long last = 0; more && last != range.last; s.k = last + 1) {
         decision d;
         decision_init(&d);
         decide_next(&s, &d);
         last = d.k.last;
+        note_refutation(&s, &d);
         more = p->take(&d, p->data);
         decision_clear(&d);
         if (last == range.last)

@@ -75,7 +75,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
         else
-            printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
+            printf("%s; %s%s%s%s", d->reason, d->findings.eigenvalue ? "L = " : "", d->findings.eigenvalue ? d->findings.eigenvalue : "", d->findings.eigenvalue ? ", " : "", system);
     } else {
         const attempt *a = decision_obstacle(d);
         char advice[256];
@@ -137,7 +137,8 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
     } else if (d->verdict != VERDICT_UNDECIDED) {
         if (d->verdict == VERDICT_REFUTED) {
             json_add_string(&b, "reason", d->reason);
-            json_add_string(&b, "eigenvalue", d->findings.eigenvalue);
+            if (d->findings.eigenvalue)
+                json_add_string(&b, "eigenvalue", d->findings.eigenvalue);
             buffer_print(&b, ",\"frequency\":%ld", d->frequency);
         }
         json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);

@@ -3,12 +3,14 @@
 
 #include "tests.h"
 
+#include "../lib/eigen_approx.h"
 #include "../lib/limit.h"
 #include "../lib/resting_centre.h"
 #include "../lib/separation.h"
 #include "../lib/spectrum.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -166,4 +168,88 @@ outcome range_spectrum(findings *f, choices *c, const scheme *s, const number *r
     if (!replay)
         findings_last(f)->bound = f->runner_up;
     return o;
+}
+
+/* ---- all blocks outside a window ---- */
+
+/* The spans of the choices from number `at` on that end at the end of the task or before. */
+static size_t spans_until(const span_list *z, size_t at, int64_t end)
+{
+    size_t count = 0;
+    while (at + count < z->count && z->box[at + count].q <= end)
+        count++;
+    return count;
+}
+
+/* Of m/k between start and end; *at: the next span of the choices. */
+static outcome prove_side(const context *c, int64_t start, int64_t end, size_t *at)
+{
+    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, false};
+    span_task task = {c->scheme, c->choices->k, {1, FREQUENCIES_UNBOUNDED}, start, end};
+    span_list *spans = &c->choices->spans;
+    size_t count = c->replay ? spans_until(spans, *at, end) : 0;
+    diagnostic d;
+    span_answer answer = c->replay ? span_verify(spans->box + *at, count, &task, c->scale, c->prec, &d) : span_search(spans, &task, c->scale, &limits, c->prec, &d);
+    outcome o = outcome_from_block(c->findings, answer.status, &d);
+    *at += count;
+    if (o == OUTCOME_TRUE && answer.stopped)
+        return findings_explain(c->findings, OUTCOME_STOPPED, "no time left");
+    if (o == OUTCOME_TRUE && !answer.proved)
+        return findings_explain(c->findings, OUTCOME_FAIL, "blocks outside the window: their eigenvalues could not be shown to be smaller than those of some block in it");
+    if (o == OUTCOME_TRUE)
+        note_radius(c, answer.radius);
+    return o;
+}
+
+outcome range_window_spectrum(findings *f, choices *c, const scheme *s, const number *scale, bool replay, long prec)
+{
+    const context z = {f, c, s, scale, NULL, replay, prec};
+    size_t at = 0;
+    outcome o;
+    if (!replay) {
+        cover_list_clear(&c->blocks);
+        span_list_clear(&c->spans);
+        c->has_limit = false;
+    } else if (c->has_limit || c->blocks.count != 1 || c->blocks.box[0].m.first != 0 || c->blocks.box[0].m.last != 0) {
+        return findings_explain(f, OUTCOME_FALSE, "there should be a box of block 0");
+    }
+    o = prove_plain(&z);
+    if (o == OUTCOME_TRUE)
+        o = prove_side(&z, 0, c->window.start, &at);
+    if (o == OUTCOME_TRUE)
+        o = prove_side(&z, window_choice_end(&c->window), ARC_HALF, &at);
+    if (o == OUTCOME_TRUE && replay && at != c->spans.count)
+        o = findings_explain(f, OUTCOME_FALSE, "there are spans of more than the blocks outside the window");
+    if (o == OUTCOME_TRUE && !is_within_limits(c))
+        o = findings_explain(f, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers or boxes beyond the limits of certificates");
+    return o;
+}
+
+outcome range_contract(int *power, const number *rest, int n, const number *scale, bool replay, long prec)
+{
+    spectral_answer answer = spectral_contraction(rest, scale, n, replay ? *power : 0, replay ? *power : CHOICES_MAX_POWER, prec);
+    *power = answer.power;
+    return answer.contracts == TRUTH_FALSE ? OUTCOME_NO_MEMORY : answer.contracts == TRUTH_TRUE ? OUTCOME_TRUE : OUTCOME_FAIL;
+}
+
+double range_radius_approx(const scheme *s, valence_range k, int64_t q, long prec)
+{
+    const frequencies m = {2, FREQUENCIES_UNBOUNDED};
+    affine_matrix b;
+    arc r;
+    diagnostic unused;
+    double radius = NAN;
+    arc_init(&r);
+    memset(&b, 0, sizeof b);
+    if (arc_set_units(&r, q, q) && affine_matrix_make(&b, s, k, m, &r, prec, &unused) == BLOCK_OK) {
+        double *mid = malloc((size_t)b.n * (size_t)b.n * sizeof *mid);
+        for (int i = 0; mid && i < b.n * b.n; i++)
+            mid[i] = number_mid_approx(&b.entry[i].centre);
+        if (mid)
+            radius = spectral_radius_approx(mid, b.n);
+        free(mid);
+    }
+    affine_matrix_free(&b);
+    arc_clear(&r);
+    return radius;
 }

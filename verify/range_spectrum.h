@@ -20,10 +20,22 @@
    them; figures and the reason of another outcome go to f. */
 outcome BASE_NAME(range_spectrum)(findings *f, choices *c, const scheme *s, const base_number *rest, int n, const base_number *scale, const base_number *slope, bool replay, long prec);
 
+/* Every eigenvalue other than 1 of every block outside the window of c (CLAIM_WINDOW) is smaller than 1/scale in modulus, at each valence; likewise. */
+outcome BASE_NAME(range_window_spectrum)(findings *f, choices *c, const scheme *s, const base_number *scale, bool replay, long prec);
+
+/* About the largest modulus of an eigenvalue of the blocks m >= 2 with m/k = q, in the units of lib/arc.h; NAN: not known. */
+double BASE_NAME(range_radius_approx)(const scheme *s, valence_range k, int64_t q, long prec);
+
+/* rest, n x n, has only eigenvalues below 1/scale: by a power that is found, or followed. */
+outcome BASE_NAME(range_contract)(int *power, const base_number *rest, int n, const base_number *scale, bool replay, long prec);
+
 #if !defined(NUMBER_AFFINE)
 #undef base_number
 #undef BASE_NAME
 #define range_spectrum NUMBER_NAME(range_spectrum)
+#define range_window_spectrum NUMBER_NAME(range_window_spectrum)
+#define range_radius_approx NUMBER_NAME(range_radius_approx)
+#define range_contract NUMBER_NAME(range_contract)
 #endif
 
 #endif

@@ -9,7 +9,9 @@
 #include "analysis.h"
 #include "uniform_net.h"
 
+#define analysis_tests NUMBER_NAME(analysis_tests)
 #define test_regular_complex NUMBER_NAME(test_regular_complex)
+#define test_window NUMBER_NAME(test_window)
 #define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
 #define test_regularity NUMBER_NAME(test_regularity)
@@ -68,6 +70,16 @@ typedef struct {
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
+typedef struct {
+    test_name name;
+    const char *words;
+    outcome (*run)(analysis *);
+    unsigned claims; /* that need it: 1 << claim_kind */
+} analysis_test;
+
+/* In the order in which they run; the last one has no `run`. */
+extern const analysis_test analysis_tests[];
+
 /* The scheme is C1 on the regular complex; is that all there is to prove at this valence? */
 outcome test_regular_complex(analysis *a);
 /* L is a simple eigenvalue of the claim's block, 0 < |L| < 1 (of CLAIM_NOT_C0: 1 < |L|). */
@@ -108,6 +120,10 @@ outcome test_exact(analysis *a);
 /* The eigenfunctions that count are not 0. */
 outcome test_exact_witnesses(analysis *a);
 void exact_free(analysis *a);
+
+/* At every valence the blocks of some frequencies in a window dominate, simply, and their eigenfunctions have no zero on the outer
+   curve (only for affine numbers). */
+outcome test_window(analysis *a);
 
 /* What a block's status means for a test, explained in the last attempt; d: the complaint that belongs to BLOCK_BAD_INPUT
    (NULL where that cannot be). */

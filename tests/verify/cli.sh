@@ -113,7 +113,7 @@ answers() {
     prove loop --valence 7 --out none --method uniform --json
   expect options-before 0 'proved: loop is C1 at valence 3; ' prove --out none --valence=3 loop
   expect undecided-level 2 'undecided: butterfly at valence 5; ' prove butterfly --valence 5 --max-level 1 --max-precision 64 --out none
-  sed 's|centre .*+.*|centre 5/8|' "$loop" >tie.scheme
+  sed 's|centre .*+.*|centre 5/8+10^-100|' "$loop" >tie.scheme
   expect undecided-tie 2 'undecided: loop at valence 3; ' prove tie.scheme --valence 3 --max-precision 128 --out none
   expect undecided-some 2 'proved: loop is C1 at valence 4; ' prove tie.scheme --valence 3,4 --max-precision 128 --out none
   case $(head -n 1 stdout) in undecided:*) true ;; *) false ;; esac

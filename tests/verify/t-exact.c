@@ -261,7 +261,7 @@ static void test_not_real(void)
         findings_init(&f);
         choices_init(&c);
         c.claim = CLAIM_REAL;
-        c.valence = cases[i][0];
+        c.k = one_valence(cases[i][0]);
         c.frequency = cases[i][1];
         c.second_frequency = cases[i][2];
         CHECK(analysis_search(&f, &c, &plan, 128) != OUTCOME_TRUE, "valence %ld: block %ld dominates", cases[i][0], cases[i][1]);
