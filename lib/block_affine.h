@@ -34,6 +34,11 @@ typedef struct {
 
 /* The same as block_make_over, for others than affine sources.  On any status affine_matrix_free. */
 block_status BASE_NAME(affine_matrix_make)(BASE_NAME(affine_matrix) *z, const scheme *s, valence_range k, frequencies m, const arc *r, long prec, diagnostic *d);
+
+/* Block 0 without the constant net, of order one less than it, as a function of 1/k for k >= k.first and 1/k = 0: t = -1 there, t = 1 at
+   k.first.  The scheme's centre must come to rest (lib/resting_centre.h).  It is sloped (bigfloat/affine.h).  On any status
+   affine_matrix_free. */
+block_status BASE_NAME(affine_matrix_make_resting)(BASE_NAME(affine_matrix) *z, const scheme *s, valence_range k, long prec, diagnostic *d);
 void BASE_NAME(affine_matrix_free)(BASE_NAME(affine_matrix) *z);
 
 #if !defined(NUMBER_AFFINE)
@@ -41,6 +46,7 @@ void BASE_NAME(affine_matrix_free)(BASE_NAME(affine_matrix) *z);
 #undef BASE_NAME
 #define affine_matrix NUMBER_NAME(affine_matrix)
 #define affine_matrix_make NUMBER_NAME(affine_matrix_make)
+#define affine_matrix_make_resting NUMBER_NAME(affine_matrix_make_resting)
 #define affine_matrix_free NUMBER_NAME(affine_matrix_free)
 #endif
 

@@ -25,6 +25,8 @@ LIB_SOURCES = \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/scheme_range.h lib/scheme_range.c \
+  lib/laurent_value.h lib/laurent_value.c \
+  lib/resting_centre.h lib/resting_centre.c \
   lib/arc.h lib/arc.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
@@ -60,6 +62,7 @@ LIB_GENERIC_SOURCES = \
   lib/rise.h lib/rise.c \
   lib/span.h lib/span.c \
   lib/separation.h lib/separation.c \
+  lib/limit.h lib/limit.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
 

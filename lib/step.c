@@ -240,6 +240,8 @@ static status set_rule(rule_numbers *z, evaluation *e)
                 result = value_of_source(&z->matrix[i], &total, z, i, e);
                 number_sub(&rest, &rest, &total, e->z->prec);
             } else {
+                if (z->known[i])
+                    number_set(&rest, &z->weight[i]);
                 value_of_rest(&z->matrix[i], &rest, s, e);
             }
             if (number_lacks_memory(&rest))

@@ -20,7 +20,7 @@ typedef struct {
     int count;
     lattice point[SCHEME_MAX_SOURCES];
     pair_matrix matrix[SCHEME_MAX_SOURCES];
-    bool known[SCHEME_MAX_SOURCES];     /* weight[i] is that of source i for every frequency */
+    bool known[SCHEME_MAX_SOURCES];     /* weight[i] is that of source i for every frequency; of the rest, only if somebody else has set it */
     number weight[SCHEME_MAX_SOURCES];
 } rule_numbers;
 

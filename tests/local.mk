@@ -118,6 +118,7 @@ GENERIC_TESTS = \
   tests/lib/t-cover \
   tests/lib/t-monotone \
   tests/lib/t-separation \
+  tests/lib/t-limit \
   tests/lib/t-eigenvalues \
   tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \

@@ -89,6 +89,10 @@ static void write_range(buffer *z, const char *name, long first, long last)
 
 static void write_spectrum(buffer *z, const choices *c)
 {
+    if (c->has_limit) {
+        buffer_print(z, "limit %d\n", c->limit.power);
+        write_eigenpair(z, &c->limit.eigenpair);
+    }
     for (size_t i = 0; i < c->blocks.count; i++)
         buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
     for (size_t i = 0; i < c->rise.count; i++) {
@@ -426,6 +430,16 @@ static long read_last(reader *r, long low)
     return VALENCES_UNBOUNDED;
 }
 
+static void read_limit(reader *r, choices *c, long *total)
+{
+    c->has_limit = comes_next(r, "limit");
+    if (!c->has_limit)
+        return;
+    expect(r, "limit");
+    c->limit.power = read_power(r, total);
+    read_eigenpair(r, &c->limit.eigenpair, c->grid, false, true);
+}
+
 static void read_rise(reader *r, choices *c, long *total)
 {
     while (!r->failed && comes_next(r, "rise")) {
@@ -513,6 +527,8 @@ static void read_choices(reader *r, choices *c)
         read_window(r, c, &total);
     else
         read_pair(r, c, several);
+    if (several)
+        read_limit(r, c, &total);
     read_blocks(r, c, &total);
     if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
         r->failed = true; /* they need none */

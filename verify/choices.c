@@ -21,6 +21,7 @@ void choices_init(choices *z)
     exact_choice_init(&z->exact);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);
+    eigenpair_choice_init(&z->limit.eigenpair);
     rise_list_init(&z->rise);
     span_list_init(&z->spans);
     window_choice_init(&z->window);
@@ -35,6 +36,7 @@ void choices_clear(choices *z)
     exact_choice_clear(&z->exact);
     integer_clear(&z->modulus);
     cover_list_clear(&z->blocks);
+    eigenpair_choice_clear(&z->limit.eigenpair);
     rise_list_clear(&z->rise);
     span_list_clear(&z->spans);
     window_choice_clear(&z->window);

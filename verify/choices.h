@@ -65,6 +65,8 @@ typedef struct {
     integer modulus;      /* ell < |L|, in the complex form */
     cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers; of several valences
                              only these two */
+    bool has_limit;       /* of infinitely many valences: block 0 falls behind as they grow, and is not in `blocks`; */
+    rise_box limit;       /*   then its pair and power (lib/limit.h), q having no meaning */
     rise_list rise;       /* of several valences: near m/k = 0, where the largest eigenvalue rises, */
     span_list spans;      /*   and all other blocks (verify/certificate-valences.md, 4) */
     window_choice window; /* of CLAIM_WINDOW, in place of the eigenpair */

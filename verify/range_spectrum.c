@@ -4,6 +4,8 @@
 #include "tests.h"
 
 #include "../lib/eigen_approx.h"
+#include "../lib/limit.h"
+#include "../lib/resting_centre.h"
 #include "../lib/separation.h"
 #include "../lib/spectrum.h"
 
@@ -15,7 +17,7 @@ typedef struct {
     findings *findings;
     choices *choices;
     const scheme *scheme;
-    const number *scale;
+    const number *scale, *slope;
     bool replay;
     long prec;
 } context;
@@ -28,11 +30,17 @@ static void note_radius(const context *c, double radius)
         c->findings->runner_up = fmax(c->findings->runner_up, bound);
 }
 
-/* Block m by itself is bounded, m being 0 or 1: the box number m of the choices. */
+/* Which box of the choices is that of block m, 0 or 1; block 0 may have a limit instead. */
+static long box_of(const choices *c, long m)
+{
+    return c->has_limit ? m - 1 : m;
+}
+
+/* Block m by itself is bounded, m being 0 or 1. */
 static outcome contract(const context *c, const number *rest, int n, long m)
 {
     cover_list *blocks = &c->choices->blocks;
-    int power = c->replay ? blocks->box[m].power : 0, limit = c->replay ? power : CHOICES_MAX_POWER;
+    int power = c->replay ? blocks->box[box_of(c->choices, m)].power : 0, limit = c->replay ? power : CHOICES_MAX_POWER;
     spectral_answer answer = spectral_contraction(rest, c->scale, n, power, limit, c->prec);
     if (answer.contracts == TRUTH_FALSE)
         return OUTCOME_NO_MEMORY;
@@ -71,6 +79,28 @@ static outcome prove_plain(const context *c)
     return o;
 }
 
+/* Block 0 as a function of 1/k. */
+static outcome prove_limit(const context *c)
+{
+    const limit_task task = {c->scheme, c->choices->k, c->scale, c->slope};
+    diagnostic d;
+    limit_answer answer = c->replay ? limit_verify(&c->choices->limit, &task, c->prec, &d)
+                                    : limit_search(&c->choices->limit, &task, CHOICES_MAX_POWER, c->choices->grid, c->prec, &d);
+    outcome o = outcome_from_block(c->findings, answer.status, &d);
+    if (o == OUTCOME_TRUE && !answer.proved)
+        o = findings_explain(c->findings, OUTCOME_FAIL, "block 0: its eigenvalues other than 1 tend to that of block 1 and could not be shown to fall behind it at all these valences");
+    note_radius(c, 1);
+    return o;
+}
+
+/* Does block 0 tend to block 1? */
+static outcome choose_limit(const context *c)
+{
+    diagnostic d;
+    status s = scheme_centre_rests(&c->choices->has_limit, c->scheme, c->choices->k, &d);
+    return s == STATUS_OK ? OUTCOME_TRUE : outcome_from_block(c->findings, s == STATUS_BAD_INPUT ? BLOCK_BAD_INPUT : BLOCK_NO_MEMORY, &d);
+}
+
 static outcome prove_others(const context *c)
 {
     const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, false};
@@ -92,7 +122,7 @@ static outcome prove_others(const context *c)
 
 static bool is_within_limits(const choices *z)
 {
-    long total = 0;
+    long total = z->has_limit ? z->limit.power : 0;
     for (size_t i = 0; i < z->blocks.count; i++)
         total += z->blocks.box[i].power;
     for (size_t i = 0; i < z->rise.count; i++)
@@ -102,25 +132,33 @@ static bool is_within_limits(const choices *z)
     return total <= CHOICES_MAX_TOTAL_POWER && z->rise.count <= CHOICES_MAX_RISES && z->spans.count <= CHOICES_MAX_BLOCKS;
 }
 
-/* Two boxes, block 0 and block 1? */
-static bool has_two_blocks(const cover_list *z)
+/* Boxes of block 0, unless it has a limit, and of block 1? */
+static bool has_two_blocks(const choices *z)
 {
-    return z->count == 2 && z->box[0].m.first == 0 && z->box[0].m.last == 0 && z->box[1].m.first == 1 && z->box[1].m.last == 1;
+    const cover_list *blocks = &z->blocks;
+    for (long m = z->has_limit; m <= 1; m++) {
+        size_t i = (size_t)box_of(z, m);
+        if (i >= blocks->count || blocks->box[i].m.first != m || blocks->box[i].m.last != m)
+            return false;
+    }
+    return blocks->count == (z->has_limit ? 1 : 2);
 }
 
-outcome range_spectrum(findings *f, choices *c, const scheme *s, const number *rest, int n, const number *scale, bool replay, long prec)
+outcome range_spectrum(findings *f, choices *c, const scheme *s, const number *rest, int n, const number *scale, const number *slope, bool replay, long prec)
 {
-    const context z = {f, c, s, scale, replay, prec};
-    outcome o;
+    const context z = {f, c, s, scale, slope, replay, prec};
+    outcome o = OUTCOME_TRUE;
     if (!replay) {
         cover_list_clear(&c->blocks);
         rise_list_clear(&c->rise);
         span_list_clear(&c->spans);
         f->runner_up = 0;
-    } else if (!has_two_blocks(&c->blocks)) {
+        o = choose_limit(&z);
+    } else if (!has_two_blocks(c)) {
         return findings_explain(f, OUTCOME_FALSE, "there should be boxes of block 0 and of block 1");
     }
-    o = prove_plain(&z);
+    if (o == OUTCOME_TRUE)
+        o = (c->has_limit ? prove_limit : prove_plain)(&z);
     if (o == OUTCOME_TRUE)
         o = contract(&z, rest, n, 1);
     if (o == OUTCOME_TRUE)

@@ -14,10 +14,11 @@
 #define BASE_NAME NUMBER_NAME
 #endif
 
-/* rest, n x n: what is left of block 1 beside L; scale thin, >= 1/L at all valences of c->k.  OUTCOME_TRUE: 1 is simple, and every eigenvalue of every block
+/* rest, n x n: what is left of block 1 beside L; scale thin, >= 1/L at all valences of c->k; slope: of L by t, where u of c->k is
+   c + d t.  OUTCOME_TRUE: 1 is simple, and every eigenvalue of every block
    other than 1 and L is smaller than L in modulus, at each valence.  Finds the blocks, rise and spans of c, or follows
    them; figures and the reason of another outcome go to f. */
-outcome BASE_NAME(range_spectrum)(findings *f, choices *c, const scheme *s, const base_number *rest, int n, const base_number *scale, bool replay, long prec);
+outcome BASE_NAME(range_spectrum)(findings *f, choices *c, const scheme *s, const base_number *rest, int n, const base_number *scale, const base_number *slope, bool replay, long prec);
 
 /* Every eigenvalue other than 1 of every block outside the window of c (CLAIM_WINDOW) is smaller than 1/scale in modulus, at each valence; likewise. */
 outcome BASE_NAME(range_window_spectrum)(findings *f, choices *c, const scheme *s, const base_number *scale, bool replay, long prec);

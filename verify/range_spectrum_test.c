@@ -13,7 +13,7 @@ outcome test_spectrum(analysis *a)
     outcome o = OUTCOME_NO_MEMORY;
     if (rest) {
         BASE_NAME(affine_deflate)(rest, a->dominant.entry, a->box, a->order, a->choices->eigenpair.pivot, a->prec);
-        o = BASE_NAME(range_spectrum)(a->findings, a->choices, a->plan->problem->scheme, rest, n, &a->scale.centre, a->replay, a->prec);
+        o = BASE_NAME(range_spectrum)(a->findings, a->choices, a->plan->problem->scheme, rest, n, &a->scale.centre, &a->box[a->order].slope, a->replay, a->prec);
         base_array_free(rest, size);
     }
     a->plan->scale_upper = number_upper_bound(&a->scale);
