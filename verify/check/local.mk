@@ -31,6 +31,7 @@ CHECK_SOURCES = \
   verify/check/influence.h verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
+  verify/check/window.h verify/check/window.c \
   verify/check/check.h verify/check/check.c \
   verify/check/claim.h verify/check/claim.c \
   verify/check/folder.h verify/check/folder.c \
