@@ -32,6 +32,7 @@ LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
   tests/lib/t-regular \
+  tests/lib/t-number_field \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
@@ -41,6 +42,7 @@ LIB_TESTS = \
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
 tests_lib_t_regular_LDADD = $(LINK_LIB)
+tests_lib_t_number_field_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
@@ -51,28 +53,53 @@ tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
-  tests/verify/t-valences \
+  tests/verify/t-valence_list \
+  tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
+  tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
-tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
+tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
+tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
+# The checker as a program, judged by the prover.
+CERTIFICATE_TESTS = \
+  tests/certificates/t-mutate \
+  tests/certificates/t-radius
+CORPUS_SOURCES = \
+  tests/certificates/mutations.h tests/certificates/mutations.c \
+  tests/certificates/corpus.h tests/certificates/corpus.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
+tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
+tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
+
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
+  tests/check/t-check-geometry \
   tests/check/t-check-spectrum \
   tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
+tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
+tests_check_t_check_geometry_CPPFLAGS =
+tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-check-geometry.c
+tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
 tests_check_t_check_ranges_CPPFLAGS =
@@ -90,9 +117,12 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-cover \
   tests/lib/t-monotone \
+  tests/lib/t-separation \
   tests/lib/t-eigenvalues \
+  tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
+  tests/lib/t-eigenpair_affine \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
   tests/lib/t-ring \
@@ -100,19 +130,29 @@ GENERIC_TESTS = \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
+  tests/verify/pages.sh \
+  tests/verify/completion.sh \
+  tests/verify/report.sh \
+  tests/verify/advice.sh \
+  tests/verify/readme.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/check/ranges.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
+  tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
-  tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/archive.sh \
   tests/verify/regular.sh \
-  tests/verify/spectrum.sh
+  tests/verify/spectrum.sh \
+  tests/faults/durability.sh \
+  tests/faults/kill.sh \
+  tests/faults/failing.sh
 
 # Files that tests read.
 EXTRA_DIST += \
@@ -125,14 +165,25 @@ EXTRA_DIST += \
   tests/certificates/accept \
   tests/certificates/accept-1 \
   tests/certificates/reject \
+  tests/certificates/reject-1 \
   tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
-  $(CHECK_TESTS) $(SCRIPT_TESTS)
+  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(SCRIPT_TESTS)
 
-check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
+# What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
+check_PROGRAMS += tests/faults/crash
+tests_faults_crash_LDADD =
+PRELOADED = tests/faults/preload.so
+EXTRA_DIST += tests/faults/preload.c tests/faults/common.sh
+CLEANFILES += $(PRELOADED)
+$(PRELOADED): tests/faults/preload.c
+	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
+
+check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
+  $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
 CLEANFILES += $(ALL_GENERIC_TESTS)
 
@@ -143,7 +194,7 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
-TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/lib/discs.h tests/verify/common.h
 
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
@@ -168,18 +219,24 @@ tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local: $(ALL_GENERIC_TESTS)
+check-local: $(ALL_GENERIC_TESTS) $(PRELOADED)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
-	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS)
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(PRELOADED)
 
 # Random tests for longer: each test draws until its time is up.
 SECONDS_PER_TEST = 60
 check-long: check-programs
 	@SECONDS_PER_TEST=$(SECONDS_PER_TEST) TEST_TIMEOUT=0 $(RUN_TESTS)
+
+# All faults: every allocation fails in turn, and many more kills. Some minutes.
+.PHONY: check-faults
+check-faults: check-programs
+	@FAULTS_KILLS=1000 FAULTS_SEED=$$$$ FAULTS_MALLOCS=1 FAULTS_EVERY=3 TEST_TIMEOUT=0 SRCDIR=$(srcdir) BUILDDIR=. \
+	  $(SHELL) $(srcdir)/tests/run-tests --only faults $(ALL_TESTS)
 
 # Does every rounding constant of bigfloat/ matter to some test? Some minutes.
 MUTATIONS = tests/bigfloat/mutations tests/bigfloat/mutations-directed
@@ -188,3 +245,15 @@ EXTRA_DIST += tests/bigfloat/mutate-constants $(MUTATIONS)
 mutate-constants:
 	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
 	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)
+
+# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers; SMOOTHCERT_SEED
+# chooses others.
+MUTANTS = 100
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+.PHONY: mutate
+mutate: all tests/certificates/t-mutate
+	@$(MKDIR_P) mutate
+	@$(CC) $(SANITIZE) -o mutate/smoothcert-check $(srcdir)/verify/check/*.c
+	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
+	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
+	  $(abs_builddir)/tests/certificates/t-mutate

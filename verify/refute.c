@@ -1,22 +1,43 @@
 /* refute.c: the reasons, one after the other. */
 #include "refute.h"
 
+#include "exact_search.h"
+#include "gap.h"
+
 #include <stdio.h>
 #include <string.h>
 
 /* A radius this near to 1 may be beyond. */
 #define NEARLY_ONE (1 - 1e-9)
+/* What is exactly equal is looked for when this many bits tell nothing. */
+#define EXACT_PRECISION 128
 
-static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, long valence, long precision)
+static outcome attempt_choices(findings *f, choices *c, const analysis_plan *plan, long precision)
 {
     analysis_plan own = {.problem = plan->problem, .max_level = plan->max_level, .deadline = plan->deadline, .system = plan->system};
-    choices_clear(c);
-    c->claim = claim;
-    c->frequency = frequency;
-    c->valence = valence;
     f->level = 0;
     f->elements = 0;
     return analysis_search(f, c, &own, precision);
+}
+
+static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, long valence, long precision)
+{
+    choices_clear(c);
+    c->claim = claim;
+    c->frequency = frequency;
+    c->k = one_valence(valence);
+    return attempt_choices(f, c, plan, precision);
+}
+
+/* Numbers that are equal, which no precision tells. */
+static outcome attempt_exact(findings *f, choices *c, suspicion *s, const analysis_plan *plan, long valence, long precision)
+{
+    truth found;
+    choices_clear(c);
+    c->k = one_valence(valence);
+    found = exact_search(&c->exact, &c->claim, plan->problem->scheme, valence, &s->candidates);
+    s->no_exact = found == TRUTH_UNKNOWN;
+    return found == TRUTH_TRUE ? attempt_choices(f, c, plan, precision) : found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : OUTCOME_FAIL;
 }
 
 static bool is_final(outcome o)
@@ -34,7 +55,7 @@ static outcome look_for_candidates(suspicion *s, const analysis_plan *plan, long
                       : candidates_find_ball(&s->candidates, plan->problem->scheme, valence, &unused);
     s->made = true;
     if (result != STATUS_OK)
-        s->candidates.count = 0;
+        s->candidates.count = s->candidates.near = 0;
     return result == STATUS_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_TRUE;
 }
 
@@ -46,7 +67,7 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
     o = OUTCOME_FAIL;
     if (s->folds)
         o = attempt_claim(f, c, plan, CLAIM_FOLD, 1, valence, precision);
-    for (int i = 0; !is_final(o) && i < s->candidates.count; i++) {
+    for (int i = 0; !is_final(o) && i < s->candidates.near; i++) {
         long m = s->candidates.frequency[i];
         if (2 * m == valence)
             continue;
@@ -55,7 +76,42 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
         if (!is_final(o) && m != 1)
             o = attempt_claim(f, c, plan, CLAIM_FREQUENCY, m, valence, precision);
     }
+    if (!is_final(o) && precision >= EXACT_PRECISION && s->candidates.count && !s->no_exact)
+        o = attempt_exact(f, c, s, plan, valence, precision);
     return is_final(o) ? o : OUTCOME_FAIL;
+}
+
+void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, long valence, long precision)
+{
+    size_t length = strlen(a->reason);
+    long bits;
+    if (precision == 0 || s->candidates.near < 2 || gap_between_ball(&bits, plan->problem->scheme, valence, s->candidates.frequency, precision) != TRUTH_TRUE || bits < precision / 2)
+        return;
+    snprintf(a->reason + length, sizeof a->reason - length, "; the gap to block %ld is at most 2^-%ld after %ld bits: possibly an exact tie",
+             s->candidates.frequency[s->candidates.frequency[0] == 1], bits, precision);
+}
+
+/* The two blocks that count. */
+static void describe_tie(char *text, size_t size, const exact_choice *e, double l)
+{
+    int which[2] = {0, 0}, found = 0;
+    for (int i = 0; i < e->count && found < 2; i++)
+        if (e->line[i].column)
+            which[found++] = i;
+    snprintf(text, size, "blocks %ld and %ld share the largest modulus exactly (%.8f%s); there is no tangent plane", e->line[which[0]].frequency, e->line[which[1]].frequency, l,
+             e->line[which[0]].size > 1 ? ", in Jordan blocks of the same size" : "");
+}
+
+static void describe_jordan(char *text, size_t size, const choices *c, double l)
+{
+    int q = 1;
+    for (int i = 0; i < c->exact.count; i++)
+        if (c->exact.line[i].column)
+            q = c->exact.line[i].size;
+    if (c->frequency)
+        snprintf(text, size, "frequency %ld dominates (%.8f exactly, in a Jordan block of %d rows, the largest); the surface would wind %ld times", c->frequency, l, q, c->frequency);
+    else
+        snprintf(text, size, "frequency 0 dominates (%.8f exactly, in a Jordan block of %d rows, the largest); nothing turns round the point", l, q);
 }
 
 void refute_describe(char *text, size_t size, const choices *c, const findings *f, const suspicion *s)
@@ -73,6 +129,15 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
         break;
     case CLAIM_FOLD:
         snprintf(text, size, "the characteristic map folds; its Jacobian has both signs");
+        break;
+    case CLAIM_TIE:
+        describe_tie(text, size, &c->exact, l);
+        break;
+    case CLAIM_JORDAN:
+        describe_jordan(text, size, c, l);
+        break;
+    case CLAIM_MODULUS_ONE:
+        snprintf(text, size, "block %ld has the eigenvalue %d exactly; there is no continuous limit", c->frequency, c->exact.line[0].sign);
         break;
     default:
         text[0] = '\0';

@@ -247,6 +247,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->text = text;
     out->next = text;
     out->end = text + size;
+    out->regularity = out->boundary = "";          /* refutations may have none */
     out->line = 1;
     read_version(out);
     read_scheme_text(out);

@@ -19,13 +19,15 @@ static const struct node *written_out(const struct node *f, const struct languag
     return f;
 }
 
-/* The exact value of a formula, if it is rational and depends on nothing. */
+/* The exact value of a formula, if it is rational and depends on nothing.  Conditions, which
+ * stand in `cases` and behind `when`, have none. */
 static bool is_constant(rational *out, const struct node *f, const struct language *l)
 {
     struct environment e;
     struct value v;
 
-    if (f->meaning != 0)
+    if (f->meaning != 0 || f->kind == NODE_AND || f->kind == NODE_OR ||
+        f->kind == NODE_COMPARISON)
         return false;
     e = environment_plain(l, CONSTANT_GRID);
     v = evaluate(f, &e);
