@@ -136,6 +136,33 @@ lie catmull-clark-40-60 catmull-clark 40..60 nothing 0 '^verified: catmull-clark
 lie catmull-clark-40-60 catmull-clark 40..61 more 1 '' 's/^valence 40 60/valence 40 61/'
 lie catmull-clark-40-60 catmull-clark 40..60 eigenvector 1 'Krawczyk' 's/^eigenvector ./eigenvector 9/'
 
+# Block 0 that tends to block 1
+
+limit() { lie catmull-clark-160-inf catmull-clark 160..inf "$@"; }
+limit nothing 0 '^verified: catmull-clark is C1 at valences 160..inf' ''
+lie catmull-clark-160-inf catmull-clark 160..1000 finite 1 'expected .block' 's/^valence 160 inf/valence 160 1000/'
+lie catmull-clark-160-inf catmull-clark 150..inf earlier 1 'Krawczyk' 's/^valence 160/valence 150/'
+limit power 1 'limit: the other' 's/^limit .*/limit 0/'
+limit eigenvalue 1 ':[0-9]*: radius: the Krawczyk' '/^limit/,/^block/s/^eigenvalue a/eigenvalue b/'
+limit range 1 'range: it is smaller' '/^limit/,/^block/s/^range .*/range 1/'
+limit and-block-0 1 'block: expected .block 1 1' 's/^block 1 1.*/block 0 0 9\
+&/'
+limit as-block-0 1 'block 0' '/^limit/,/^block/{
+/^block/!d
+s/^/block 0 0 20\
+/
+}'
+# Loop's centre does not come to rest.
+endless limit 1 'limit: a weight of the centre is no polynomial' '/^pivot/,/^block 0/{
+/^block 0/!H
+}
+/^block 0 0/{
+s/.*/limit 1/
+G
+s/\n\n/\
+/
+}'
+
 # Refutations at one frequency
 
 # denial CERTIFICATE SCHEME-FILE VALENCES NAME STATUS PATTERN SED-COMMAND

@@ -247,7 +247,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->text = text;
     out->next = text;
     out->end = text + size;
-    out->regularity = out->boundary = "";          /* refutations may have none */
+    out->regularity.word = out->boundary.word = "";  /* refutations may have none */
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
@@ -357,7 +357,7 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
 
 static void check_total_power(const struct certificate *c)
 {
-    int total = 0;                                 /* at most 11002 * MAX_POWER */
+    int total = c->limit.record.power;             /* at most 11003 * MAX_POWER */
 
     for (int i = 0; i < c->blocks; i++)
         total += c->block[i].power;
@@ -385,13 +385,25 @@ static void read_powers_0(struct certificate *c)
     end_record(&r);
 }
 
+/* `limit P` with its eigenpair */
+static void read_limit(struct certificate *c)
+{
+    c->has_limit = true;
+    c->limit.record.m = span_of(0);
+    c->limit.record.power = (int)read_decimal_record(c, "limit", 0, MAX_POWER,
+                                                     &c->limit.record.line);
+    read_eigenpair(&c->limit.pair, c);
+}
+
 /* Of several valences: 0, and the eigenpair's frequency. */
 static void read_two_blocks(struct certificate *c)
 {
     const int64_t m[2] = { 0, c->frequency };
 
     c->block = allocate(2, sizeof c->block[0]);
-    for (int i = 0; i < (c->frequency > 0 ? 2 : 1); i++) {
+    if (c->claim == CLAIM_C1 && c->valence.last == ENDLESS && next_is(c, "limit"))
+        read_limit(c);
+    for (int i = c->has_limit ? 1 : 0; i < (c->frequency > 0 ? 2 : 1); i++) {
         struct record r = begin_noted(c, "block", &c->block[i].line);
 
         c->block[i].m.first = read_decimal(&r, 0, MAX_VALENCE_1);
@@ -401,7 +413,7 @@ static void read_two_blocks(struct certificate *c)
         if (c->block[i].m.first != m[i] || c->block[i].m.last != m[i])
             rejected(c->file, r.line, "block: expected `block %lld %lld`", (long long)m[i],
                      (long long)m[i]);
-        c->blocks++;
+        c->blocks = i + 1;
     }
 }
 

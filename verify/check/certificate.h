@@ -87,6 +87,8 @@ struct certificate {
     struct block_record *block;
     struct rise *rise;
     struct cover *cover;
+    bool has_limit;                                /* in place of block 0 */
+    struct rise limit;                             /* without Q */
     int64_t normal[2];
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */

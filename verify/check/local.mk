@@ -25,6 +25,8 @@ CHECK_SOURCES = \
   verify/check/sector.h verify/check/sector.c \
   verify/check/spectrum.h verify/check/spectrum.c \
   verify/check/slopes.h verify/check/slopes.c \
+  verify/check/laurent.h verify/check/laurent.c \
+  verify/check/limit.h verify/check/limit.c \
   verify/check/valences.h verify/check/valences.c \
   verify/check/element.h verify/check/element.c \
   verify/check/spline.h verify/check/spline.c \

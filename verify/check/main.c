@@ -31,6 +31,8 @@
  *     spectrum        section 6, the spectrum
  *     slopes          eigenpairs of several valences    (certificate-valences.md)
  *     valences        the spectrum of several valences  (certificate-valences.md)
+ *     laurent         polynomials in k and 1/k          (certificate-valences.md)
+ *     limit           block 0 as k grows                (certificate-valences.md)
  *     window          a window of frequencies           (certificate-valences.md)
  *     element         section 7, elements, windows, rings
  *     spline          section 7, limits that are polynomials

@@ -6,6 +6,7 @@
 #include "valences.h"
 
 #include "answer.h"
+#include "limit.h"
 #include "slopes.h"
 
 enum { Q_BITS = 48 };
@@ -223,7 +224,9 @@ static void prove_rest(const struct block *block, const struct affine *matrix,
 {
     const struct block_record *own = &c->block[c->frequency == 0 ? 0 : 1];
 
-    if (c->frequency != 0)
+    if (c->has_limit)
+        limit_prove(block->v, pair, c);
+    else if (c->frequency != 0)
         valences_prove_block_0(block->v, pair, c);
     valences_prove_deflated(matrix, pair, c->pair.pivot, own, "block", c);
     prove_covers(block->v, prove_rises(block->v, c), pair, c);
