@@ -3,6 +3,7 @@
 
 #include "spectrum.h"
 #include "stop.h"
+#include "stride.h"
 
 #include <math.h>
 
@@ -82,40 +83,13 @@ static bool stops(cover_answer *z)
     return z->stopped;
 }
 
-/* Boxes grow faster and faster as long as that succeeds; once it has failed they grow more carefully, for what the
-   gap allows changes slowly. */
-typedef struct {
-    double width, growth;
-    bool failed;
-} stride;
-
-#define CAREFUL 1.25
-
-static long clip(double width, long most)
-{
-    return width < 1 ? 1 : width < (double)most ? (long)width : most;
-}
-
-static void after_success(stride *s, long width)
-{
-    s->width = fmax((double)width * s->growth, (double)width + 1);
-    s->growth = s->failed ? fmin(s->growth * 1.1, 2) : fmin(s->growth * 1.5, 16);
-}
-
-static void after_failure(stride *s, long width)
-{
-    s->width = (double)width / fmax(s->growth, 1.5);
-    s->growth = CAREFUL;
-    s->failed = true;
-}
-
 cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_limits *limits, diagnostic *d)
 {
     cover_answer z = {.status = BLOCK_OK, .proved = true};
-    stride s = {1, 2, false};
+    stride s = stride_start(1);
     long failures = 0, skip = 1; /* failures in a row leave more and more open */
     while (m.first <= m.last) {
-        long width = clip(s.width, m.last - m.first + 1);
+        long width = stride_width(&s, m.last - m.first + 1);
         frequencies here = {m.first, m.first + width - 1};
         box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
         bool proved = b.answer.contracts == TRUTH_TRUE;
@@ -128,12 +102,12 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
         if (b.status != BLOCK_OK)
             return z;
         if (!proved && width > 1 && z.tries < limits->tries) {
-            after_failure(&s, width);
+            stride_after_failure(&s, (double)width);
             continue;
         }
         z.exhausted = z.tries >= limits->tries && !proved;
         if (proved) {
-            after_success(&s, width);
+            stride_after_success(&s, (double)width);
             note_radius(&z, &b, here);
             skip = 1;
         } else {
@@ -141,12 +115,12 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
             if (z.tries >= limits->tries)
                 here.last = m.last;
             else
-                here.last = m.first + clip((double)skip, m.last - m.first + 1) - 1;
+                here.last = skip < m.last - m.first + 1 ? m.first + skip - 1 : m.last;
             leave_open(&z, here);
             if (failures++ == limits->open)
                 return z;
             skip *= 2;
-            s = (stride){1, 2, false};
+            s = stride_start(1);
         }
         if (!cover_list_add(list, here, proved ? b.answer.power : COVER_OPEN)) {
             z.status = BLOCK_NO_MEMORY;

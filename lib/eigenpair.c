@@ -222,25 +222,33 @@ static truth is_inside(const workspace *w, const number *radius)
     return inside;
 }
 
+/* Proves it for a box of `size` units round what is loaded. */
+static truth prove_loaded(number *box, workspace *w, const eigenpair_choice *choice, const integer *size, long prec)
+{
+    number radius;
+    truth proved;
+    number_init(&radius);
+    number_set_integer_2exp(&radius, size, -choice->grid, prec);
+    make_box(box, w, &radius, prec);
+    evaluate(w, w->approximation, prec);
+    differentiate(w, box, prec);
+    krawczyk(w, &radius, prec);
+    proved = is_inside(w, &radius);
+    number_clear(&radius);
+    return proved;
+}
+
 static truth prove(number *box, const eigenpair_choice *choice, const integer *size, const number *b, long prec)
 {
     workspace w;
-    number radius;
     truth proved = TRUTH_FALSE;
     if (choice->complex_form && (choice->n % 2 || choice->pivot >= choice->n / 2))
         return TRUTH_UNKNOWN; /* a choice that somebody else made */
-    number_init(&radius);
     if (workspace_make(&w, b, choice->n, choice->complex_form, choice->pivot)) {
         load(&w, choice, prec);
-        number_set_integer_2exp(&radius, size, -choice->grid, prec);
-        make_box(box, &w, &radius, prec);
-        evaluate(&w, w.approximation, prec);
-        differentiate(&w, box, prec);
-        krawczyk(&w, &radius, prec);
-        proved = is_inside(&w, &radius);
+        proved = prove_loaded(box, &w, choice, size, prec);
     }
     workspace_free(&w);
-    number_clear(&radius);
     return proved;
 }
 
@@ -402,63 +410,64 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex
 
 /* ---- the search for a range ---- */
 
-/* At least the largest component of -Y F at the approximation, in units of the choice's grid. */
-static bool first_range(eigenpair_choice *z, const number *b, long prec)
+/* At least the largest magnitude in the image, in units of 2^-unit.  false: no memory, or there is none. */
+static bool image_size(integer *size, const workspace *w, long unit, long prec)
 {
-    workspace w;
-    number size, largest, zero;
-    bool ok = false;
-    number_init(&size);
+    number one, largest;
+    bool ok;
+    number_init(&one);
     number_init(&largest);
-    number_init(&zero);
-    if (workspace_make(&w, b, z->n, z->complex_form, z->pivot)) {
-        load(&w, z, prec);
-        evaluate(&w, w.approximation, prec);
-        krawczyk(&w, &zero, prec);
-        for (int l = 0; l < w.n; l++) {
-            number_magnitude_upper(&size, &w.image[l], prec);
-            number_max(&largest, &largest, &size, prec);
-        }
-        ok = number_upper_grid(&z->range, &largest, z->grid);
+    for (int l = 0; l < w->n; l++) {
+        number_magnitude_upper(&one, &w->image[l], prec);
+        number_max(&largest, &largest, &one, prec);
     }
-    workspace_free(&w);
-    number_clear(&size);
+    ok = number_upper_grid(size, &largest, unit);
+    number_clear(&one);
     number_clear(&largest);
-    number_clear(&zero);
     return ok;
 }
 
-/* x = (1 + 2^-bits) x, rounded upward. */
-static bool enlarge(integer *x, unsigned long bits)
+/* x = 17/16 x, rounded upward. */
+static bool enlarge(integer *x)
 {
     integer part;
     bool ok;
     integer_init(&part);
-    ok = integer_cdiv_2exp(&part, x, bits) && integer_add(x, x, &part);
+    ok = integer_cdiv_2exp(&part, x, 4) && integer_add(x, x, &part);
     integer_clear(&part);
     return ok;
 }
 
-/* In steps of a quarter from the least that is possible, and an eighth more, so that rounding differently costs nothing.
-   (Before the range is below 1 it has been tried about 4 grid times, but a hopeless matrix takes it there sooner.) */
+/* The image of a box that is too small says how large it has to be at least. */
+static truth grow_range(workspace *w, eigenpair_choice *z, number *box, long prec)
+{
+    truth proved = TRUTH_UNKNOWN;
+    if (!integer_set(&z->range, &z->radius))
+        return TRUTH_FALSE;
+    while (proved == TRUTH_UNKNOWN && (long)integer_bits(&z->range) < z->grid) {
+        if (!enlarge(&z->range))
+            return TRUTH_FALSE;
+        proved = prove_loaded(box, w, z, &z->range, prec);
+        if (proved == TRUTH_UNKNOWN && !image_size(&z->range, w, z->grid, prec))
+            return number_lacks_memory(&w->image[0]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    }
+    return proved;
+}
+
 truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
 {
+    workspace w;
     number *box = number_array_new(eigenpair_box_size(z->n, z->complex_form));
-    truth proved = all_are_finite(b, (size_t)z->n * (size_t)z->n);
-    if (!box || (proved == TRUTH_TRUE && !first_range(z, b, prec)))
-        proved = TRUTH_FALSE;
-    if (proved == TRUTH_TRUE) {
-        proved = TRUTH_UNKNOWN;
-        if (integer_cmp(&z->range, &z->radius) < 0 && !integer_set(&z->range, &z->radius))
-            proved = TRUTH_FALSE;
+    truth found = TRUTH_FALSE;
+    if (workspace_make(&w, b, z->n, z->complex_form, z->pivot) && box) {
+        load(&w, z, prec);
+        found = all_are_finite(b, (size_t)z->n * (size_t)z->n);
+        if (found == TRUTH_TRUE)
+            found = grow_range(&w, z, box, prec);
     }
-    while (proved == TRUTH_UNKNOWN && (long)integer_bits(&z->range) < z->grid) {
-        proved = enlarge(&z->range, 3) ? eigenpair_prove_range(box, z, b, prec) : TRUTH_FALSE;
-        if (proved != TRUTH_FALSE && !enlarge(&z->range, 3))
-            proved = TRUTH_FALSE;
-    }
+    workspace_free(&w);
     free_numbers(box, eigenpair_box_size(z->n, z->complex_form));
-    return proved;
+    return found;
 }
 
 void eigenpair_modulus(number *z, const number *box, int n, bool complex_form, long prec)

@@ -4,6 +4,7 @@ LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/growing.h \
   lib/stop.h lib/stop.c \
+  lib/stride.h \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
@@ -56,6 +57,9 @@ LIB_GENERIC_SOURCES = \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
   lib/eigenpair_affine.h lib/eigenpair_affine.c \
   lib/monotone.h lib/monotone.c \
+  lib/rise.h lib/rise.c \
+  lib/span.h lib/span.c \
+  lib/separation.h lib/separation.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
 

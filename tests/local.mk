@@ -76,14 +76,34 @@ tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
+# The checker as a program, judged by the prover.
+CERTIFICATE_TESTS = \
+  tests/certificates/t-mutate \
+  tests/certificates/t-radius
+CORPUS_SOURCES = \
+  tests/certificates/mutations.h tests/certificates/mutations.c \
+  tests/certificates/corpus.h tests/certificates/corpus.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
+tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
+tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
+
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
-  tests/check/t-check-spectrum
+  tests/check/t-check-geometry \
+  tests/check/t-check-spectrum \
+  tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
+tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
+tests_check_t_check_geometry_CPPFLAGS =
+tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-check-geometry.c
+tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_ranges_CPPFLAGS =
+tests_check_t_check_ranges_LDADD =
 
 # One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
 GENERIC_TESTS = \
@@ -97,7 +117,9 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-cover \
   tests/lib/t-monotone \
+  tests/lib/t-separation \
   tests/lib/t-eigenvalues \
+  tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
   tests/lib/t-eigenpair_affine \
@@ -117,11 +139,11 @@ SCRIPT_TESTS = \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
+  tests/check/ranges.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
-  tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
@@ -138,6 +160,7 @@ EXTRA_DIST += \
   tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
   tests/check/butterfly.scheme tests/check/butterfly-5.cert \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
+  tests/check/ranges \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
@@ -148,7 +171,7 @@ EXTRA_DIST += \
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
-  $(CHECK_TESTS) $(SCRIPT_TESTS)
+  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(SCRIPT_TESTS)
 
 # What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
 check_PROGRAMS += tests/faults/crash
@@ -159,7 +182,8 @@ CLEANFILES += $(PRELOADED)
 $(PRELOADED): tests/faults/preload.c
 	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
-check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
+check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
+  $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
 CLEANFILES += $(ALL_GENERIC_TESTS)
 
@@ -170,7 +194,7 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
-TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/lib/discs.h tests/verify/common.h
 
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
@@ -221,3 +245,15 @@ EXTRA_DIST += tests/bigfloat/mutate-constants $(MUTATIONS)
 mutate-constants:
 	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
 	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)
+
+# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers; SMOOTHCERT_SEED
+# chooses others.
+MUTANTS = 100
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+.PHONY: mutate
+mutate: all tests/certificates/t-mutate
+	@$(MKDIR_P) mutate
+	@$(CC) $(SANITIZE) -o mutate/smoothcert-check $(srcdir)/verify/check/*.c
+	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
+	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
+	  $(abs_builddir)/tests/certificates/t-mutate

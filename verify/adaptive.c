@@ -304,8 +304,6 @@ static outcome search(run *r, element_type type, int level)
         return OUTCOME_NO_MEMORY;
     if (o == OUTCOME_TRUE)
         return leaf(r, margin);
-    if (r->task->max_elements && r->report->examined >= r->task->max_elements)
-        return OUTCOME_UNDEFINED;
     return level < r->task->max_level ? split(r, type, level) : OUTCOME_UNDEFINED;
 }
 
@@ -315,7 +313,9 @@ static outcome examine(run *r, element_type type, int level)
     r->report->level = level > r->report->level ? level : r->report->level;
     if (r->report->examined % 64 == 0 && deadline_passed(r->task->deadline))
         return OUTCOME_STOPPED;
-    return r->task->replay ? follow(r, type, level) : search(r, type, level);
+    if (r->task->replay)
+        return follow(r, type, level);
+    return r->task->max_elements && r->report->examined > r->task->max_elements ? OUTCOME_UNDEFINED : search(r, type, level);
 }
 
 static run *run_make(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)

@@ -16,19 +16,19 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
 
 /* ---- what several tests need ---- */
 
-outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d)
+outcome outcome_from_block(findings *f, block_status s, const diagnostic *d)
 {
     switch (s) {
     case BLOCK_OK:
         return OUTCOME_TRUE;
     case BLOCK_OPPOSITE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+        return findings_explain(f, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
     case BLOCK_NO_CENTRE_RULE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+        return findings_explain(f, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
     case BLOCK_STOPPED:
-        return findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
+        return findings_explain(f, OUTCOME_STOPPED, "no time left");
     case BLOCK_BAD_INPUT:
-        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
+        return findings_explain(f, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
     default:
         return OUTCOME_NO_MEMORY;
     }

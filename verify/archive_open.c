@@ -155,7 +155,7 @@ static bool open_journal(archive *z)
 /* What the directory says of itself is durable before any certificate is there. */
 static archive_status describe(archive *z, const scheme *s, const buffer *run, bool is_new)
 {
-    bool ok = mend_journal(z) && open_journal(z);
+    bool ok = (!is_new || durable_sync_names(z->path)) && mend_journal(z) && open_journal(z);
     if (ok && is_new)
         ok = durable_group_add(&z->group, ARCHIVE_SCHEME, s->text, s->text_length, 0666);
     ok = ok && durable_group_add(&z->group, ARCHIVE_VERIFY, archive_verify_script, strlen(archive_verify_script), 0777);

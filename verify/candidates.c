@@ -20,9 +20,10 @@
 #define find NUMBER_NAME(candidates_find_blocks)
 status find(candidates *z, const scheme *s, long k, diagnostic *d);
 
+/* NAN: no memory. */
 static double radius_of(const number *matrix, int n)
 {
-    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), radius = 0;
+    double *approximation = malloc(((size_t)n * (size_t)n + 1) * sizeof *approximation), radius = NAN;
     for (int i = 0; approximation && i < n * n; i++)
         approximation[i] = number_mid_approx(&matrix[i]);
     if (approximation)
@@ -73,6 +74,8 @@ static status pass(candidates *z, scheme_numbers *numbers, long first, long last
     for (long m = first; result == STATUS_OK && m <= last; m += step) {
         double radius;
         result = measure(&radius, numbers, m, d);
+        if (isnan(radius))
+            result = STATUS_NO_MEMORY;
         if (result == STATUS_OK)
             enter(z, m, radius);
         if (last - m < step && m != last)
@@ -89,6 +92,8 @@ status find(candidates *z, const scheme *s, long k, diagnostic *d)
     z->count = 0;
     if (result == STATUS_OK)
         result = measure(&z->radius_of_one, &numbers, 1, d);
+    if (result == STATUS_OK && isnan(z->radius_of_one))
+        result = STATUS_NO_MEMORY;
     do {
         long best;
         step = (last - first) / PASS + 1;

@@ -6,6 +6,7 @@
 #include "archive_index.h"
 #include "archive_run.h"
 #include "classification.h"
+#include "command_out.h"
 #include "command_scheme.h"
 #include "escalate.h"
 #include "keeper.h"
@@ -173,32 +174,14 @@ static void name_archive(char *name, size_t size, const prove_run *r)
     }
 }
 
-static int complain_of_archive(const char *path, archive_status why)
-{
-    switch (why) {
-    case ARCHIVE_OTHER_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
-    case ARCHIVE_NO_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds certificates but no " ARCHIVE_SCHEME "; name another directory with --out", path);
-    case ARCHIVE_BUSY:
-        return complain(EXIT_IO, "%s: another run is at work there; wait for its end, or name another directory with --out", path);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
-    }
-}
-
 static int open_archive(prove_run *r)
 {
     char name[SCHEME_NAME_MAX + 128];
     const char *path = r->options.out;
-    archive_status opened;
     if (path && !strcmp(path, "none"))
         return -1;
     name_archive(name, sizeof name, r);
-    if (!path)
-        path = name;
-    opened = archive_open(&r->archive, path, &r->scheme, &r->command);
-    return opened == ARCHIVE_OK ? -1 : complain_of_archive(path, opened);
+    return command_open_archive(&r->archive, path ? path : name, &r->scheme, &r->command);
 }
 
 /* ---- the answers ---- */
@@ -276,6 +259,8 @@ static bool is_worth_keeping(const answer *a)
     return d->verdict != VERDICT_UNDECIDED || (d->outcome != OUTCOME_NO_MEMORY && d->outcome != OUTCOME_BAD_INPUT && !deadline_interrupted());
 }
 
+_Static_assert((int)KEEPER_GROUP_MAX <= (int)ARCHIVE_GROUP_MAX, "a group of the keeper is one of the archive");
+
 /* Makes the answers durable; only then are they told. */
 static bool keep_all(prove_run *r, answer *const *answers, int count)
 {
@@ -345,22 +330,6 @@ static void heed_interrupts(void)
     struct sigaction action = {.sa_handler = interrupt};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-}
-
-static int write_index(prove_run *r)
-{
-    valence_range pair[2];
-    char first[VALENCE_RANGE_TEXT], second[VALENCE_RANGE_TEXT];
-    switch (archive_write_index(&r->archive, pair)) {
-    case ARCHIVE_OK:
-        return r->result;
-    case ARCHIVE_CONTRADICTION:
-        valence_range_print(first, pair[0]);
-        valence_range_print(second, pair[1]);
-        return complain(EXIT_FAULT, "%s: the certificates for %s and for %s contradict each other: this is a fault of the program", r->archive.path, first, second);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/" ARCHIVE_INDEX ": %s", r->archive.path, strerror(errno));
-    }
 }
 
 /* ---- one by one, or in ranges ---- */
@@ -438,8 +407,11 @@ static int decide_all(prove_run *r)
         return complain(EXIT_NO_MEMORY, "no memory");
     if (r->classification.count)
         summarise(r);
-    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
-        r->result = write_index(r);
+    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT) {
+        int written = command_write_index(&r->archive);
+        if (written)
+            return written;
+    }
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;

@@ -5,6 +5,7 @@
 #include "archive.h"
 #include "archive_run.h"
 #include "command_certificates.h"
+#include "command_out.h"
 #include "command_scheme.h"
 #include "rerun_report.h"
 
@@ -62,7 +63,13 @@ static bool search(decision *d, const rerun_run *r, const examination *x)
 static int keep(rerun_run *r, const decision *d)
 {
     char *certificate = NULL;
-    bool ok = archive_keep(&r->archive, &certificate, d, EARLIER_NONE) == ARCHIVE_OK && archive_commit(&r->archive) == ARCHIVE_OK;
+    buffer bytes;
+    archive_earlier earlier;
+    bool ok;
+    buffer_init(&bytes);
+    earlier = archive_read(&r->archive, &bytes, one_valence(d->valence));
+    buffer_clear(&bytes);
+    ok = archive_keep(&r->archive, &certificate, d, earlier) == ARCHIVE_OK && archive_commit(&r->archive) == ARCHIVE_OK;
     free(certificate);
     return ok ? 0 : complain_of_file(r->out);
 }
@@ -119,21 +126,6 @@ static int search_and_report(rerun_run *r, const char *file, const examination *
     return result;
 }
 
-static int open_archive(rerun_run *r)
-{
-    switch (archive_open(&r->archive, r->out, &r->subject.scheme, &r->command)) {
-    case ARCHIVE_OK:
-        return 0;
-    case ARCHIVE_OTHER_SCHEME:
-    case ARCHIVE_NO_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", r->out);
-    case ARCHIVE_BUSY:
-        return complain(EXIT_IO, "%s: another run is at work there", r->out);
-    default:
-        return complain_of_file(r->out);
-    }
-}
-
 /* All certificates of one run that keeps what it finds must be of one scheme. */
 static int prepare_archive(rerun_run *r, const char *file, const examination *x)
 {
@@ -142,8 +134,10 @@ static int prepare_archive(rerun_run *r, const char *file, const examination *x)
     bool same;
     if (!r->out)
         return 0;
-    if (!r->archive.path)
-        return open_archive(r);
+    if (!r->archive.path) {
+        int opened = command_open_archive(&r->archive, r->out, &r->subject.scheme, &r->command);
+        return opened < 0 ? 0 : opened;
+    }
     path = durable_path(r->archive.path, ARCHIVE_SCHEME);
     buffer_init(&kept);
     same = path && buffer_read_file(&kept, path, ARCHIVE_MAX_BYTES) && statement_is_about(&x->claim, kept.bytes, kept.length);
@@ -178,19 +172,6 @@ static int rerun_certificate(const char *file, void *data)
 }
 
 /* ---- all of them ---- */
-
-static int write_index(rerun_run *r)
-{
-    valence_range pair[2];
-    switch (archive_write_index(&r->archive, pair)) {
-    case ARCHIVE_OK:
-        return 0;
-    case ARCHIVE_CONTRADICTION:
-        return complain(EXIT_FAULT, "%s: two of its certificates contradict each other: this is a fault of the program", r->out);
-    default:
-        return complain_of_file(r->out);
-    }
-}
 
 static int read_option(rerun_run *r, int option, const char *value)
 {
@@ -248,7 +229,7 @@ int command_rerun(int argc, char **argv)
     for (int i = optind; result == 0 && i < argc; i++)
         result = for_each_certificate(argv[i], rerun_certificate, &r);
     if (result == 0)
-        result = write_index(&r);
+        result = command_write_index(&r.archive);
     archive_clear(&r.archive);
     examine_subject_clear(&r.subject);
     buffer_clear(&r.command);

@@ -55,48 +55,55 @@ static bool sync_directory(const char *path)
 
 /* ---- directories ---- */
 
-/* What holds the name behind the last '/', made from `path`, which ends in no '/'. */
-static bool sync_above(char *path)
+/* Calls act for "a", "a/b" ... up to the whole of the path, as long as it returns true. */
+static bool for_each_level(const char *path, bool (*act)(char *level))
 {
-    char *separator = strrchr(path, '/');
-    bool ok;
-    if (!separator)
-        return sync_directory(".");
-    if (separator == path)
-        return sync_directory("/");
-    *separator = '\0';
-    ok = sync_directory(path);
-    *separator = '/';
+    size_t length = strlen(path);
+    char *level = malloc(length + 1);
+    bool ok = level != NULL;
+    if (!ok)
+        errno = ENOMEM;
+    for (size_t i = 1; ok && i <= length; i++) {
+        if ((path[i] != '/' && path[i] != '\0') || path[i - 1] == '/')
+            continue;
+        memcpy(level, path, i);
+        level[i] = '\0';
+        ok = act(level);
+    }
+    free(level);
     return ok;
 }
 
-static bool make_one(char *path)
+static bool make_level(char *path)
 {
     struct stat s;
     if (stat(path, &s) == 0) {
         errno = ENOTDIR;
         return S_ISDIR(s.st_mode);
     }
-    return errno == ENOENT && (mkdir(path, 0777) == 0 || errno == EEXIST) && sync_above(path);
+    return errno == ENOENT && (mkdir(path, 0777) == 0 || errno == EEXIST);
 }
 
 bool durable_make_directory(const char *path)
 {
-    char *p = malloc(strlen(path) + 1);
-    bool ok = p != NULL && *path;
-    if (!p)
-        errno = ENOMEM;
-    else if (!*path)
-        errno = ENOENT;
-    for (size_t i = 1; ok && path[i - 1]; i++) {
-        if ((path[i] != '/' && path[i] != '\0') || path[i - 1] == '/')
-            continue;
-        memcpy(p, path, i);
-        p[i] = '\0';
-        ok = make_one(p);
-    }
-    free(p);
-    return ok;
+    errno = ENOENT;
+    return *path && for_each_level(path, make_level);
+}
+
+/* Syncs what holds the name behind the last '/'.  Where it may not be read, or cannot be synced at all, nobody can do more. */
+static bool sync_name(char *path)
+{
+    char *separator = strrchr(path, '/');
+    bool ok;
+    if (separator && separator != path)
+        *separator = '\0';
+    ok = sync_directory(!separator ? "." : separator == path ? "/" : path);
+    return ok || errno == EACCES || errno == EPERM || errno == EINVAL || errno == EROFS;
+}
+
+bool durable_sync_names(const char *path)
+{
+    return for_each_level(path, sync_name);
 }
 
 /* ---- files ---- */

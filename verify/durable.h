@@ -14,8 +14,11 @@ enum { DURABLE_GROUP_MAX = 64 };
 /* "DIRECTORY/NAME", to be freed; NULL: no memory, as errno says, too. */
 char *durable_path(const char *directory, const char *name);
 
-/* Makes the directory, and those above it that are missing, durably.  An existing one is as good.  false: errno says why. */
+/* Makes the directory, and those above it that are missing.  An existing one is as good.  false: errno says why. */
 bool durable_make_directory(const char *path);
+/* Makes its name durable, and those of all directories above it in the path, whoever made them: perhaps somebody who was killed
+   before he could do that.  false: errno says why. */
+bool durable_sync_names(const char *path);
 
 /* Files of one directory that get their names together. */
 typedef struct {

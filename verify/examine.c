@@ -82,7 +82,7 @@ static bool read_choices(examination *z, const examine_subject *s)
 {
     long line = 0;
     if (z->claim.version < STATEMENT_NEWEST_VERSION) {
-        blame(z, 1, "only smoothcert-check follows certificates of this old version");
+        blame(z, 1, "an old format, which only smoothcert-check follows");
         return true;
     }
     if (!certificate_read(&z->choices, &line, &s->scheme, z->bytes.bytes, z->bytes.length))

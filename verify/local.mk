@@ -55,6 +55,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/regular_complex_test.c \
   verify/eigenpair_test.c \
   verify/spectrum_test.c \
+  verify/range_spectrum.h verify/range_spectrum.c \
   verify/regularity_test.c \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
@@ -103,6 +104,7 @@ smoothcert_SOURCES = \
   verify/command_regular.c \
   verify/command_schemes.c \
   verify/command_certificates.h verify/command_certificates.c \
+  verify/command_out.h verify/command_out.c \
   verify/command_show.c \
   verify/command_rerun.c \
   verify/command_archive.h verify/command_archive.c verify/command_archive_verify.c verify/command_archive_diff.c verify/command_archive_pack.c \

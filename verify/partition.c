@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Of the first box, in u. */
 #define FIRST_WIDTH 0.04

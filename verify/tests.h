@@ -23,7 +23,7 @@
 #define analysis_seek NUMBER_NAME(analysis_seek)
 #define analysis_seek_nonzero NUMBER_NAME(analysis_seek_nonzero)
 
-#define analysis_from_block NUMBER_NAME(analysis_from_block)
+#define outcome_from_block NUMBER_NAME(outcome_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
@@ -83,7 +83,8 @@ void exact_free(analysis *a);
 
 /* What a block's status means for a test, explained in the last attempt; d: the complaint that belongs to BLOCK_BAD_INPUT
    (NULL where that cannot be). */
-outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d);
+outcome outcome_from_block(findings *f, block_status s, const diagnostic *d);
+static inline outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d) { return outcome_from_block(a->findings, s, d); }
 /* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
 outcome analysis_make_block(block *b, analysis *a, long first, long last);
 /* The control net of the characteristic map, if it is not made yet. */

@@ -1,5 +1,5 @@
 # common.sh: what the tests of faults share.  Needs SMOOTHCERT, BUILDDIR and $suite, a name; goes to a directory of its own.
-# shellcheck shell=sh
+# shellcheck shell=sh disable=SC2154
 LC_ALL=C
 export LC_ALL
 preload=$BUILDDIR/tests/faults/preload.so

@@ -6,7 +6,7 @@
 set -u
 suite=failing
 . "$SRCDIR/tests/faults/common.sh"
-: "${FAULTS_MALLOCS:=499}"
+: "${FAULTS_MALLOCS:=997}"
 
 # The lines of a run without times and places.
 verdicts() { sed -e 's/;.*//' "$1"; }
@@ -65,9 +65,45 @@ scenario() { # NAME STATUS ARGUMENT...
   verdicts output >expected
 }
 
+# Commands that only look: all of their answer, or an error.
+reader() { # NAME KIND ERROR STEP ARGUMENT...
+  name=$1 kind=$2 error=$3 step=$4
+  shift 4
+  "$SMOOTHCERT" "$@" >expected 2>stderr
+  n=1
+  while :; do
+    faulty FAULTS_FAIL="$kind:$n:$error" FAULTS_COUNT=count "$@" >output 2>stderr
+    status=$?
+    case $status in
+      0) cmp -s output expected || { echo "FAIL failing-$name-$kind-$n: exit status 0 with another answer"; return; } ;;
+      71 | 74) [ -s stderr ] || { echo "FAIL failing-$name-$kind-$n: no message"; return; } ;;
+      *) echo "FAIL failing-$name-$kind-$n: exit status $status: $(cat stderr)"; return ;;
+    esac
+    [ "$(sed -n "s/^$kind //p" count)" -ge "$n" ] || break
+    n=$((n + step))
+  done
+  holds "$name-$kind" 0
+}
+
+readers() {
+  "$SMOOTHCERT" prove loop --valence 3..4 --out kept >output 2>stderr
+  for kind in malloc open; do
+    step=1
+    [ $kind = open ] || step=$FAULTS_MALLOCS
+    reader show $kind 12 "$step" show kept
+    reader rerun $kind 12 "$step" rerun kept --precision 128
+    reader archive-list $kind 12 "$step" archive list kept
+    reader archive-verify $kind 12 "$step" archive verify kept
+    reader archive-diff $kind 12 "$step" archive diff kept kept
+    reader archive-pack $kind 12 "$step" archive pack kept
+  done
+}
+
 everything() {
   scenario proved 0 loop --valence 3..4
   for kind in open write fsync rename close mkdir; do each $kind 5 1; done
+  each mkdir 30 1 # a read-only file system
+  each open 13 9  # no permission
   # A disk that is full from some moment on: ENOSPC.
   n=1
   while [ $n -le 8 ]; do
@@ -80,6 +116,7 @@ everything() {
   scenario refuted 1 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" --valence 5
   each malloc 12 "$FAULTS_MALLOCS"
   each fsync 5 1
+  readers
 }
 
 {

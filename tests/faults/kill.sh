@@ -4,7 +4,7 @@
 #
 # FAULTS_KILLS=N: so many random moments (make check-faults: 1,000); FAULTS_SEED: other ones.
 set -u
-suite=kill
+suite='kill'
 . "$SRCDIR/tests/faults/common.sh"
 : "${FAULTS_KILLS:=10}" "${FAULTS_SEED:=1}"
 

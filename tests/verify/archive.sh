@@ -148,6 +148,32 @@ ranges() {
   rm -rf ranges head
 }
 
+# Directories of earlier versions of the program: without journal, with certificates of format 0.
+old_archives() {
+  cp -r a old
+  rm old/journal old/runs old/lock old/verify.sh
+  expect old-layout-verify 0 'old: loop: 5 certificates hold' archive verify old
+  expect old-layout 0 'by the certificate of an earlier run' prove loop --valence 3..7 --out old
+  for valence in 3 7; do same "old-layout-$valence" old/valence-$valence.cert a/valence-$valence.cert; done
+  expect old-layout-mended 0 'old: loop: 5 certificates hold' archive verify old
+  [ "$(wc -l <old/journal)" -eq 10 ]
+  holds old-layout-journal $? "$(wc -l <old/journal) lines"
+  rm -rf old
+  "$SMOOTHCERT" prove loop --valence 7 --out old >stdout 2>&1
+  for valence in 3 4 5; do cp "$SRCDIR/tests/certificates/accept/loop-$valence.cert" old/valence-$valence.cert; done
+  rm old/index
+  "$SMOOTHCERT" prove loop --valence 7 --out old >stdout 2>&1
+  expect old-format-verify 0 'old: loop: 1 certificates hold, 3 of an old format are left to smoothcert-check' archive verify old
+  SMOOTHCERT_CHECK=$SMOOTHCERT_CHECK old/verify.sh >stdout 2>&1
+  [ "$(tail -n 1 stdout)" = '4 verified, 0 rejected, 0 could not be checked, 0 undecided' ]
+  holds old-format-script $? "$(tail -n 1 stdout)"
+  expect old-format-diff 1 'valence 3: proved (format 0, grid 2^-64); proved (format 1, grid 2^-64); other choices' archive diff old a
+  expect old-format-list 0 'format     1 and older, from 0' archive list old
+  expect old-format-anew 0 proved prove loop --valence 3..7 --out old
+  same old-format-anew-bytes old/valence-3.cert a/valence-3.cert
+  rm -rf old
+}
+
 looking() {
   expect list 0 'proved     3..7' archive list a
   expect list-json 0 '"scheme":"loop","directory":"a","proved":"3..7","refuted":"","undecided":""' archive list a --json
@@ -246,6 +272,7 @@ mkdir work && cd work || exit 1
   other_claims
   two_runs
   ranges
+  old_archives
   looking
   rerunning
   packing

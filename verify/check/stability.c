@@ -280,7 +280,7 @@ static bool box_is_good(const struct close_pairs *c, int a, int b, struct box d)
         return true;
     room = 2 * c->t * unit - difference(c, a, b, da, db, UNIT + c->t, c->t - UNIT);
     change = (side_a - side_a / 2) * c->step[0][x] + (side_b - side_b / 2) * c->step[1][x];
-    if (room > 0 && change < room / (c->t - UNIT))
+    if (change < room / (c->t - UNIT))
         return true;
     if (side_a == 0 && side_b == 0)
         return room >= 0 && difference(c, a, b, da, db, 1, 1) < 2 * unit;
