@@ -247,37 +247,39 @@ void cosines_div(cosines *z, const cosines *x, const cosines *y, long n)
     cosines_clear(&inverse);
 }
 
+/* What is never known: a function of x, or of x and y. */
+static void forget(cosines *z, const cosines *x, const cosines *y)
+{
+    become(z, cosines_lacks_memory(x) || cosines_lacks_memory(y) ? COSINES_NO_MEMORY : COSINES_UNKNOWN);
+}
+
 void cosines_hull(cosines *z, const cosines *x, const cosines *y, long n)
 {
-    cosines difference;
-    cosines_init(&difference);
-    cosines_sub(&difference, x, y, n);
-    if (cosines_is_zero(&difference) == TRUTH_TRUE)
-        cosines_set(z, x);
-    else
-        become(z, cosines_lacks_memory(&difference) ? COSINES_NO_MEMORY : COSINES_UNKNOWN);
-    cosines_clear(&difference);
+    (void)n;
+    forget(z, x, y);
 }
 
 void cosines_abs(cosines *z, const cosines *x)
 {
-    become(z, cosines_lacks_memory(x) ? COSINES_NO_MEMORY : COSINES_UNKNOWN);
+    forget(z, x, x);
 }
 
 void cosines_min(cosines *z, const cosines *x, const cosines *y, long n)
 {
-    cosines_hull(z, x, y, n);
+    (void)n;
+    forget(z, x, y);
 }
 
 void cosines_max(cosines *z, const cosines *x, const cosines *y, long n)
 {
-    cosines_hull(z, x, y, n);
+    (void)n;
+    forget(z, x, y);
 }
 
 void cosines_sqrt(cosines *z, const cosines *x, long n)
 {
     (void)n;
-    cosines_abs(z, x);
+    forget(z, x, x);
 }
 
 truth cosines_is_negative(const cosines *x)

@@ -3,7 +3,7 @@
    A `cosines` denotes the number q_0 + q_1 cos(pi/n) + q_2 cos(2 pi/n) + ..., q_i rational, or nothing that is known (it is
    indeterminate).  n is the last argument of every operation, where other systems have the precision, and the same for
    all numbers that meet.  Sums and products of known numbers are known; what would leave the field, and what is no
-   polynomial (quotients by what is not a rational, roots, comparisons), is indeterminate.
+   polynomial (quotients by what is not a rational, roots, comparisons, hulls), is indeterminate.
 
    One number has several such sums, so only 0 with no term is certainly 0; lib/number_field.h has unique forms. */
 #ifndef BIGFLOAT_COSINES_H
@@ -58,7 +58,7 @@ void cosines_mul(cosines *z, const cosines *x, const cosines *y, long n);
 void cosines_addmul(cosines *z, const cosines *x, const cosines *y, long n);
 void cosines_div(cosines *z, const cosines *x, const cosines *y, long n);
 
-/* Of one number known; else indeterminate. */
+/* Never known. */
 void cosines_hull(cosines *z, const cosines *x, const cosines *y, long n);
 void cosines_abs(cosines *z, const cosines *x);
 void cosines_min(cosines *z, const cosines *x, const cosines *y, long n);

@@ -58,13 +58,15 @@ static void make_indeterminate(pair_matrix *z)
     number_indeterminate(&z->yy);
 }
 
-#if defined(NUMBER_JET)
-/* As a function of u it is not needed. */
+#if defined(NUMBER_JET) || defined(NUMBER_COSINES)
+/* As a function of u it is not needed, and exactly neither (verify/exact.md, section 3). */
 static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
 {
-    (void)e;
     (void)j;
-    make_indeterminate(z);
+    if (e->twist)
+        make_indeterminate(z);
+    else
+        set_scalar(z, &e->one);
     return true;
 }
 #else

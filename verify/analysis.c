@@ -101,7 +101,8 @@ static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *window
     task->deadline = a->plan->deadline;
     for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
         int i = *made, which = task->which[i];
-        o = analysis_from_block(a, charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec), NULL);
+        o = analysis_from_block(a, a->mixed ? real_windows(&windows[i], a, which, elements, count)
+                                            : charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec), NULL);
         task->windows[i] = &windows[i];
         task->mask[i] = &a->mask[which];
         task->patch[i] = p->polynomial ? &a->patch[which] : NULL;
@@ -176,10 +177,11 @@ enum {
     FREQUENCY = 1 << CLAIM_FREQUENCY,
     NOT_C0 = 1 << CLAIM_NOT_C0,
     FOLD = 1 << CLAIM_FOLD,
+    REAL = 1 << CLAIM_REAL,
     TIE = 1 << CLAIM_TIE,
     JORDAN = 1 << CLAIM_JORDAN,
     MODULUS_ONE = 1 << CLAIM_MODULUS_ONE,
-    ENCLOSED = C1 | FREQUENCY | NOT_C0 | FOLD,
+    ENCLOSED = C1 | FREQUENCY | NOT_C0 | FOLD | REAL,
     EXACT = TIE | JORDAN | MODULUS_ONE
 };
 
@@ -230,10 +232,12 @@ static outcome run_tests(analysis *a)
 {
     static const analysis_test tests[] = {
         {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ENCLOSED | EXACT}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ENCLOSED},
-        {TEST_EXACT, "exact", test_exact, EXACT}, {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD | TIE | JORDAN},
+        {TEST_SECOND, "second eigenpair", test_second, REAL}, {TEST_EXACT, "exact", test_exact, EXACT},
+        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD | REAL | TIE | JORDAN},
         {TEST_REGULARITY, "regularity", test_regularity, C1}, {TEST_INJECTIVITY, "injectivity", test_injectivity, C1},
         {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY | JORDAN}, {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0},
-        {TEST_WITNESS, "fold", test_fold, FOLD}, {TEST_WITNESS, "nonzero", test_exact_witnesses, TIE | MODULUS_ONE},
+        {TEST_WITNESS, "fold", test_fold, FOLD}, {TEST_WITNESS, "normals", test_real, REAL},
+        {TEST_WITNESS, "nonzero", test_exact_witnesses, TIE | MODULUS_ONE},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
@@ -274,6 +278,16 @@ static bool describe(analysis *a)
     return f->eigenvalue != NULL;
 }
 
+static void free_pair(analysis *a, const eigenpair_choice *e)
+{
+    if (a->box)
+        number_array_free(a->box, eigenpair_box_size(a->order, e->complex_form));
+    if (a->matrix)
+        number_array_free(a->matrix, (size_t)a->order * (size_t)a->order);
+    sector_net_free(&a->net);
+    block_free(&a->dominant);
+}
+
 outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, long prec)
 {
     analysis a;
@@ -298,15 +312,13 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
         if (a.patch[i].exact)
             patch_numbers_free(&a.patch[i]);
     }
-    if (a.box)
-        number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
-    if (a.matrix)
-        number_array_free(a.matrix, (size_t)a.order * (size_t)a.order);
+    analysis_exchange(&a);
+    free_pair(&a, &c->eigenpair);
+    analysis_exchange(&a);
+    free_pair(&a, &c->eigenpair);
     exact_free(&a);
     number_clear(&a.scale);
-    sector_net_free(&a.net);
     scheme_numbers_free(&a.numbers);
-    block_free(&a.dominant);
     return o;
 }
 

@@ -14,7 +14,7 @@
 #include "uniform_bounds.h"
 
 /* Which tests have succeeded: the choices that they need are there. */
-typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_EXACT, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TEST_ZERO_FREE, TEST_WITNESS, TESTS } test_name;
+typedef enum { TEST_REGULAR_COMPLEX, TEST_EIGENPAIR, TEST_SECOND, TEST_EXACT, TEST_SPECTRUM, TEST_UNIFORM, TEST_REGULARITY, TEST_INJECTIVITY, TEST_ZERO_FREE, TEST_WITNESS, TESTS } test_name;
 
 typedef struct {
     const problem *problem;

@@ -58,11 +58,11 @@ static void write_eigenpair(buffer *z, const eigenpair_choice *e)
         write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
 }
 
-static void write_form(buffer *z, const choices *c)
+static void write_form(buffer *z, const choices *c, const eigenpair_choice *e, bool plain)
 {
-    buffer_print(z, "form %s\n", c->frequency == 0 ? "plain" : c->eigenpair.complex_form ? "complex" : "real");
-    write_eigenpair(z, &c->eigenpair);
-    if (c->eigenpair.complex_form)
+    buffer_print(z, "form %s\n", plain ? "plain" : e->complex_form ? "complex" : "real");
+    write_eigenpair(z, e);
+    if (e->complex_form)
         write_integers(z, "modulus", &c->modulus, 1);
 }
 
@@ -112,7 +112,11 @@ static void write_choices(buffer *z, const choices *c)
     if (claim_is_exact(c->claim))
         certificate_write_exact(z, c);
     else
-        write_form(z, c);
+        write_form(z, c, &c->eigenpair, c->frequency == 0);
+    if (c->claim == CLAIM_REAL) {
+        buffer_print(z, "second %ld\n", c->second_frequency);
+        write_form(z, c, &c->second, false);
+    }
     write_spectrum(z, c);
     write_evidence(z, c);
 }
@@ -257,7 +261,7 @@ static void read_reason(reader *r, choices *c)
     if (claim_is_exact(c->claim))
         return;
     expect(r, "frequency");
-    c->frequency = read_long(r, 10, 0, (c->k.first - 1) / 2);
+    c->frequency = read_long(r, 10, 0, c->claim == CLAIM_REAL ? c->k.first / 2 : (c->k.first - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
         r->failed = true;
 }
@@ -326,14 +330,24 @@ static void read_eigenpair(reader *r, eigenpair_choice *e, long grid, bool compl
     integer_clear(&eigenvalue[1]);
 }
 
-static void read_pair(reader *r, choices *c, bool several)
+static void read_form_and_pair(reader *r, choices *c, eigenpair_choice *e, bool plain, bool several)
 {
-    bool complex_form = read_form(r, c->frequency == 0);
-    read_eigenpair(r, &c->eigenpair, c->grid, complex_form, several);
+    bool complex_form = read_form(r, plain);
+    read_eigenpair(r, e, c->grid, complex_form, several);
     if (complex_form) {
         expect(r, "modulus");
         read_integer(r, &c->modulus, 16);
     }
+}
+
+static void read_pair(reader *r, choices *c, bool several)
+{
+    read_form_and_pair(r, c, &c->eigenpair, c->frequency == 0, several);
+    if (c->claim != CLAIM_REAL)
+        return;
+    expect(r, "second");
+    c->second_frequency = read_long(r, 10, 1, (c->k.first - 1) / 2);
+    read_form_and_pair(r, c, &c->second, false, several);
 }
 
 /* Of all blocks of a certificate together. */
@@ -457,6 +471,8 @@ static void read_choices(reader *r, choices *c)
     else
         read_pair(r, c, several);
     read_blocks(r, c, &total);
+    if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
+        r->failed = true; /* they need none */
     if (several) {
         read_rise(r, c, &total);
         read_spans(r, c, &total);

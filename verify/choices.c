@@ -5,7 +5,7 @@
 
 const char *claim_name(claim_kind c)
 {
-    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold",
+    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
                                          [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one"};
     return names[c];
 }
@@ -16,6 +16,7 @@ void choices_init(choices *z)
     z->claim = CLAIM_C1;
     z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
+    eigenpair_choice_init(&z->second);
     exact_choice_init(&z->exact);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);
@@ -28,6 +29,7 @@ void choices_init(choices *z)
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
+    eigenpair_choice_clear(&z->second);
     exact_choice_clear(&z->exact);
     integer_clear(&z->modulus);
     cover_list_clear(&z->blocks);

@@ -31,13 +31,13 @@ typedef struct {
     int64_t bound;
 } stability_choice;
 
-/* What a certificate proves: C1, or why not (verify/certificate.md, section 10; the last three verify/exact.md). */
-typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIMS } claim_kind;
+/* What a certificate proves: C1, or why not (verify/certificate.md, section 10; those behind CLAIM_REAL verify/exact.md). */
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIMS } claim_kind;
 
 /* Does it rest on numbers being equal? */
 static inline bool claim_is_exact(claim_kind c) { return c == CLAIM_TIE || c == CLAIM_JORDAN || c == CLAIM_MODULUS_ONE; }
 /* How many witnesses it has. */
-static inline int claim_witnesses(claim_kind c) { return c == CLAIM_FOLD || c == CLAIM_TIE ? 2 : c == CLAIM_NOT_C0 || c == CLAIM_MODULUS_ONE ? 1 : 0; }
+static inline int claim_witnesses(claim_kind c) { return c == CLAIM_FOLD || c == CLAIM_TIE ? 2 : c == CLAIM_NOT_C0 || c == CLAIM_REAL || c == CLAIM_MODULUS_ONE ? 1 : 0; }
 /* Does it need a curve without a zero, or of winding number 1? */
 static inline bool claim_has_boundary(claim_kind c) { return c == CLAIM_C1 || c == CLAIM_FREQUENCY || c == CLAIM_JORDAN; }
 
@@ -57,6 +57,8 @@ typedef struct {
     bool plainly_regular; /* nothing else is needed */
     stability_choice stability[3]; /* of values and both differences */
     eigenpair_choice eigenpair;
+    long second_frequency; /* of CLAIM_REAL: the block of the next eigenvalue, */
+    eigenpair_choice second; /* and its eigenpair */
     exact_choice exact;   /* of claims that are exact, in place of the eigenpair */
     integer modulus;      /* ell < |L|, in the complex form */
     cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers; of several valences

@@ -84,6 +84,23 @@ static outcome find_eigenvector(number *y, number *w, const number *matrix, anal
     return o == OUTCOME_TRUE ? findings_explain(a->findings, OUTCOME_FAIL, "no eigenvector of block %ld could be told from 0", l->frequency) : o;
 }
 
+/* May M y = l y?  Anything else is a fault of ours. */
+static bool may_be_eigenvector(const number *matrix, const number *y, int n, const number *l, long prec)
+{
+    bool may = true;
+    number rest;
+    number_init(&rest);
+    for (int i = 0; may && i < n; i++) {
+        number_mul(&rest, l, &y[i], prec);
+        number_neg(&rest, &rest);
+        for (int j = 0; j < n; j++)
+            number_addmul(&rest, &matrix[i * n + j], &y[j], prec);
+        may = number_contains_zero(&rest);
+    }
+    number_clear(&rest);
+    return may;
+}
+
 /* a->box = y, then sign times lambda. */
 static outcome make_box(analysis *a, int line)
 {
@@ -101,6 +118,8 @@ static outcome make_box(analysis *a, int line)
         number_set(&a->box[n], &e->eigenvalue);
         if (a->choices->exact.line[line].sign < 0)
             number_neg(&a->box[n], &a->box[n]);
+        if (o == OUTCOME_TRUE && !may_be_eigenvector(matrix, a->box, a->order, &a->box[n], a->prec))
+            o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector of block %ld is none: this is a fault of the program", a->choices->exact.line[line].frequency);
     }
     if (w)
         number_array_free(w, n);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Multiplications of rationals that a characteristic polynomial may cost. */
+/* Multiplications of rationals that all characteristic polynomials may cost. */
 #define MAX_COST 5e6
 /* Candidates taken for the largest block in turn. */
 #define MAX_TARGETS 3
@@ -48,16 +48,17 @@ static void clear_blocks(blocks *z)
     z->count = 0;
 }
 
-static bool is_too_expensive(const field_matrix *m)
+static double cost_of(const field_matrix *m)
 {
     double n = m->n, d = m->field->degree;
-    return n * n * n * n * d * d > MAX_COST;
+    return n * n * n * n * d * d;
 }
 
 /* All candidates' blocks over Q(2 cos(pi/n)); *missing: one has no value there. */
 static truth make_blocks(blocks *z, bool *missing, long n, const candidates *c)
 {
     truth result = TRUTH_TRUE;
+    double cost = 0;
     *missing = false;
     z->count = 0;
     if (n > NUMBER_FIELD_MAX_N || !number_field_make(&z->field, n))
@@ -67,7 +68,9 @@ static truth make_blocks(blocks *z, bool *missing, long n, const candidates *c)
         exact_block_status made = exact_block_make(&z->matrix[at], &z->field, z->scheme, z->k, c->frequency[i]);
         if (made == EXACT_BLOCK_NO_MEMORY)
             result = TRUTH_FALSE;
-        if (made == EXACT_BLOCK_OK && !is_too_expensive(&z->matrix[at])) {
+        if (made == EXACT_BLOCK_OK)
+            cost += cost_of(&z->matrix[at]);
+        if (made == EXACT_BLOCK_OK && cost <= MAX_COST) {
             field_polynomial_init(&z->characteristic[at], &z->field);
             field_matrix_characteristic(&z->characteristic[at], &z->matrix[at]);
             z->frequency[at] = c->frequency[i];
@@ -400,7 +403,7 @@ static truth search_modulus_one(exact_choice *x, const blocks *z)
     return result;
 }
 
-/* All candidates, or in turn each of those near 1, whose field may be smaller. */
+/* An eigenvalue of modulus 1 first, then what candidates share. */
 static truth search(exact_choice *z, claim_kind *claim, blocks *b, const candidates *c)
 {
     truth result = find_field(b, c);

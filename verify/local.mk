@@ -60,6 +60,8 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/analysis_pair.c \
+  verify/real_test.c \
   verify/exact_test.h verify/exact_test.c \
   verify/exact_eigenvector.c \
   verify/block_matrix.h verify/block_matrix.c \
@@ -84,6 +86,7 @@ VERIFY_AFFINE_SOURCES = \
   verify/zero_free_test.c \
   verify/fold_test.c \
   verify/regular_complex_test.c \
+  verify/analysis_pair.c \
   verify/range_limits.c \
   verify/range_eigenpair_test.c \
   verify/range_spectrum_test.c \

@@ -16,6 +16,22 @@ outcome test_exact_witnesses(analysis *a)
     return refuse(a);
 }
 
+outcome test_second(analysis *a)
+{
+    return refuse(a);
+}
+
+outcome test_real(analysis *a)
+{
+    return refuse(a);
+}
+
+block_status real_windows(charnet_windows *z, const analysis *a, int which, const element *elements, int count)
+{
+    (void)z, (void)a, (void)which, (void)elements, (void)count;
+    return BLOCK_NO_MEMORY;
+}
+
 void exact_free(analysis *a)
 {
     (void)a;

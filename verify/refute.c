@@ -29,6 +29,19 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
     return attempt_choices(f, c, plan, precision);
 }
 
+/* A single real function in front of all, and then the pair of blocks that comes next. */
+static outcome attempt_real(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, long valence, long precision)
+{
+    if (!(s->candidates.radius_of_pair > 0 && s->candidates.radius_of_pair < s->candidates.radius[i]))
+        return OUTCOME_FAIL;
+    choices_clear(c);
+    c->claim = CLAIM_REAL;
+    c->frequency = s->candidates.frequency[i];
+    c->second_frequency = s->candidates.pair;
+    c->k = one_valence(valence);
+    return attempt_choices(f, c, plan, precision);
+}
+
 /* Numbers that are equal, which no precision tells. */
 static outcome attempt_exact(findings *f, choices *c, suspicion *s, const analysis_plan *plan, long valence, long precision)
 {
@@ -69,12 +82,13 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
         o = attempt_claim(f, c, plan, CLAIM_FOLD, 1, valence, precision);
     for (int i = 0; !is_final(o) && i < s->candidates.near; i++) {
         long m = s->candidates.frequency[i];
-        if (2 * m == valence)
-            continue;
-        if (s->candidates.radius[i] > NEARLY_ONE)
+        bool real = m == 0 || 2 * m == valence;
+        if (2 * m != valence && s->candidates.radius[i] > NEARLY_ONE)
             o = attempt_claim(f, c, plan, CLAIM_NOT_C0, m, valence, precision);
-        if (!is_final(o) && m != 1)
+        if (!is_final(o) && m != 1 && 2 * m != valence)
             o = attempt_claim(f, c, plan, CLAIM_FREQUENCY, m, valence, precision);
+        if (!is_final(o) && real)
+            o = attempt_real(f, c, s, plan, i, valence, precision);
     }
     if (!is_final(o) && precision >= EXACT_PRECISION && s->candidates.count && !s->no_exact)
         o = attempt_exact(f, c, s, plan, valence, precision);
@@ -129,6 +143,10 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
         break;
     case CLAIM_FOLD:
         snprintf(text, size, "the characteristic map folds; its Jacobian has both signs");
+        break;
+    case CLAIM_REAL:
+        snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); the normals have no limit", c->frequency, l, c->second_frequency,
+                 s->candidates.radius_of_pair);
         break;
     case CLAIM_TIE:
         describe_tie(text, size, &c->exact, l);

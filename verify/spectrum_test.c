@@ -152,19 +152,43 @@ static outcome prove_between(analysis *a, frequencies m, size_t *next)
     return o == OUTCOME_TRUE ? prove_range(a, m, next) : o;
 }
 
-/* All but the block of L, or those that are known exactly; of the former what is left. */
+/* The i-th of the blocks that are treated otherwise, by rising frequency: they are known exactly, or have the eigenvalues of
+   the eigenpairs. */
+static long special_block(const choices *c, int i)
+{
+    if (claim_is_exact(c->claim))
+        return c->exact.line[i].frequency;
+    if (c->claim == CLAIM_REAL && (c->second_frequency < c->frequency) == (i == 0))
+        return c->second_frequency;
+    return c->frequency;
+}
+
+static outcome prove_special(analysis *a, long m, size_t *next)
+{
+    bool second = a->choices->claim == CLAIM_REAL && m == a->choices->second_frequency;
+    outcome o;
+    if (claim_is_exact(a->choices->claim))
+        return OUTCOME_TRUE;
+    if (second)
+        analysis_exchange(a);
+    o = prove_dominant(a, next);
+    if (second)
+        analysis_exchange(a);
+    return o;
+}
+
+/* All blocks; of the special ones what is left. */
 static outcome prove_all(analysis *a, size_t *next)
 {
     const choices *c = a->choices;
-    bool exact = claim_is_exact(c->claim);
-    int special = exact ? c->exact.count : 1;
+    int special = claim_is_exact(c->claim) ? c->exact.count : c->claim == CLAIM_REAL ? 2 : 1;
     long first = 0;
     outcome o = OUTCOME_TRUE;
     for (int i = 0; o == OUTCOME_TRUE && i < special; i++) {
-        long m = exact ? c->exact.line[i].frequency : c->frequency;
+        long m = special_block(c, i);
         o = prove_between(a, (frequencies){first, m - 1}, next);
-        if (o == OUTCOME_TRUE && !exact)
-            o = prove_dominant(a, next);
+        if (o == OUTCOME_TRUE)
+            o = prove_special(a, m, next);
         first = m + 1;
     }
     return o == OUTCOME_TRUE ? prove_between(a, (frequencies){first, c->k.first / 2}, next) : o;

@@ -17,6 +17,11 @@
 #define test_zero_free NUMBER_NAME(test_zero_free)
 #define test_nonzero NUMBER_NAME(test_nonzero)
 #define test_fold NUMBER_NAME(test_fold)
+#define test_second NUMBER_NAME(test_second)
+#define test_real NUMBER_NAME(test_real)
+#define analysis_exchange NUMBER_NAME(analysis_exchange)
+#define analysis_signed_jacobian NUMBER_NAME(analysis_signed_jacobian)
+#define real_windows NUMBER_NAME(real_windows)
 #define test_exact NUMBER_NAME(test_exact)
 #define test_exact_witnesses NUMBER_NAME(test_exact_witnesses)
 #define exact_free NUMBER_NAME(exact_free)
@@ -30,6 +35,16 @@
 #define analysis_uniform NUMBER_NAME(analysis_uniform)
 #define adaptive_jacobian NUMBER_NAME(adaptive_jacobian)
 #define picture_take NUMBER_NAME(picture_take)
+
+/* One eigenpair and its net. */
+typedef struct {
+    block dominant;
+    number *matrix;
+    int order;
+    number *box;
+    sector_net net;
+    bool net_made;
+} analysis_pair;
 
 typedef struct {
     analysis_plan *plan;
@@ -47,6 +62,8 @@ typedef struct {
     number scale;      /* thin, >= 1/|L|, after test_eigenpair */
     sector_net net;    /* of the characteristic map, after analysis_make_net */
     bool net_made;
+    analysis_pair other; /* of CLAIM_REAL: the second one, or, between two exchanges, the first */
+    const int *mixed;    /* NULL; in test_real, the components of both that make one net */
     struct exact_state *exact; /* of claims that are exact: exact_test.h */
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
@@ -73,6 +90,17 @@ void adaptive_jacobian(number *z, const number *const x[], const number *const y
 outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
+
+/* CLAIM_REAL: the second eigenvalue is simple in its block, and smaller than the first; the scale is its own. */
+outcome test_second(analysis *a);
+/* CLAIM_REAL: the Jacobian of both eigenfunctions is not 0 somewhere on the ring. */
+outcome test_real(analysis *a);
+/* Exchanges both eigenpairs, with their choices. */
+void analysis_exchange(analysis *a);
+/* z += sign J, data: the sign, a long; x[0], y[0] and x[1], y[1] are the derivatives in both directions. */
+void analysis_signed_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec);
+/* The windows of a net that has one component of each pair's net. */
+block_status real_windows(charnet_windows *z, const analysis *a, int which, const element *elements, int count);
 
 /* The blocks of the choices have the eigenvalue that they are said to have, exactly, in Jordan blocks that are no larger;
    all their other eigenvalues are smaller (but of CLAIM_MODULUS_ONE).  Leaves the first eigenvector that counts. */

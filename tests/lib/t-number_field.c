@@ -137,6 +137,10 @@ static void test_unknown(void)
     cosines_one(&y);
     cosines_sqrt(&x, &y, 14);
     CHECK(x.state == COSINES_UNKNOWN, "the root of 1 by the field");
+    cosines_max(&x, &y, &y, 14);
+    CHECK(x.state == COSINES_UNKNOWN, "the larger of equal numbers");
+    cosines_hull(&x, &y, &y, 14);
+    CHECK(x.state == COSINES_UNKNOWN, "the hull of equal numbers");
     cosines_clear(&x), cosines_clear(&y), rational_clear(&q);
     test_end();
 }
@@ -286,6 +290,24 @@ static void test_blocks(void)
     test_end();
 }
 
+/* Weights by sectors: in block 0 only. */
+static void check_sectors(void)
+{
+    static const char text[] = "scheme made-up\nmesh triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 5/8\n(1,0) 3/8\n(1,1) 1/8\n(2,0) 1/16\nend\n"
+                               "rule centre\ncentre 5/8\nall (1,0) rest\nend\nrule (1,0)\ncentre rest\n(1,0) @ j 1/k\nend\n";
+    scheme s;
+    number_field f;
+    field_matrix b;
+    read_scheme(&s, text);
+    MUST(number_field_make(&f, 12));
+    for (long m = 0; m <= 2; m++) {
+        CHECK(exact_block_make(&b, &f, &s, 6, m) == (m ? EXACT_BLOCK_NONE : EXACT_BLOCK_OK), "weights by sectors in block %ld", m);
+        field_matrix_clear(&b);
+    }
+    number_field_free(&f);
+    scheme_clear(&s);
+}
+
 /* Weights that leave the field, intervals and mirror-asymmetric blocks have no exact value. */
 static void test_no_blocks(void)
 {
@@ -304,6 +326,7 @@ static void test_no_blocks(void)
         number_field_free(&f);
         scheme_clear(&s);
     }
+    check_sectors();
     test_end();
 }
 

@@ -114,7 +114,10 @@ not_c1() {
   refuted loop-sixteenth-not 'frequency 0 dominates' "$schemes/loop-sixteenth.scheme" --valence 3,20..25
   refuted loop-sixteenth-grows 'block 0 has an eigenvalue beyond 1' "$schemes/loop-sixteenth.scheme" --valence 27,100
   refuted loop-ring-l2 'frequency 2 dominates' loop-ring --set l=1/4 --set l2=1/2 --valence 5,8
+  refuted loop-ring-real 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=3/4 --valence 4
+  refuted loop-ring-real-negative 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=-3/4 --valence 4
   not_proved loop-ring-l2-half loop-ring --set l=1/4 --set l2=1/2 --valence 4 --max-precision 512
+  refuted doo-sabin-3 'the characteristic map folds' doo-sabin-spectrum --set l=9/10 --set others=1/5 --valence 3
   refuted loop-ring-z 'frequency 0 dominates' loop-ring --set z=3/4 --valence 3,8
   refuted loop-ring-l 'block 1 has the eigenvalue 1 exactly' loop-ring --set l=1 --valence 3,8
   refuted loop-ring-l2-equal 'blocks 1 and 2 share the largest modulus exactly (0.50000000)' loop-ring --set l2=1/2 --valence 5,8,13

@@ -32,7 +32,7 @@ static const expectation expectations[] = {
     {"loop", NULL, 5, 1, true, TRUTH_TRUE, false, TRUTH_UNKNOWN, VERDICT_PROVED},
     {"butterfly", NULL, 8, 2, true, TRUTH_TRUE, false, TRUTH_UNKNOWN, VERDICT_REFUTED},
     {"loop-ring", "z=3/4", 7, 0, true, TRUTH_FALSE, false, TRUTH_UNKNOWN, VERDICT_REFUTED},
-    {"loop-ring", "l2=3/4", 4, 2, true, TRUTH_FALSE, false, TRUTH_UNKNOWN, VERDICT_UNDECIDED},
+    {"loop-ring", "l2=3/4", 4, 2, true, TRUTH_FALSE, false, TRUTH_UNKNOWN, VERDICT_REFUTED},
     {"loop-ring", "l=99/100", 7, 1, true, TRUTH_TRUE, false, TRUTH_UNKNOWN, VERDICT_REFUTED},
     {"wave", NULL, 3, 1, true, TRUTH_TRUE, true, TRUTH_TRUE, VERDICT_PROVED},
     {"midpoint", "degree=4", 5, 1, false, TRUTH_UNKNOWN, true, TRUTH_TRUE, VERDICT_PROVED},

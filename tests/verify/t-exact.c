@@ -1,4 +1,5 @@
-/* t-exact.c: refutations that rest on numbers being equal: found, followed, and rejected if one thing is wrong. */
+/* t-exact.c: refutations that rest on numbers being equal, or on two eigenpairs: found, followed, and rejected if one thing
+   is wrong. */
 #include "common.h"
 
 /* Loop's mask with a weight of the centre whose eigenvalue is L itself, or minus it. */
@@ -18,9 +19,12 @@ static const refutation refutations[] = {
     {"tie-above", TIE_ABOVE, NULL, NULL, 5, CLAIM_TIE, 2},
     {"tie-below", TIE_BELOW, NULL, NULL, 7, CLAIM_TIE, 2},
     {"tie-of-others", NULL, "loop-ring", "others=1/2", 20, CLAIM_TIE, 9},
+    {"tie-negative", NULL, "loop-ring", "others=-3/4", 9, CLAIM_TIE, 2},
     {"jordan", NULL, "butterfly", NULL, 3, CLAIM_JORDAN, 2},
     {"minus-one", "1 - k/16", NULL, NULL, 26, CLAIM_MODULUS_ONE, 1},
     {"one", NULL, "loop-ring", "l2=1", 7, CLAIM_MODULUS_ONE, 1},
+    {"real", NULL, "loop-ring", "l2=3/4", 4, CLAIM_REAL, 0},
+    {"real-negative", NULL, "loop-ring", "l2=-3/4", 4, CLAIM_REAL, 0},
 };
 enum { REFUTATIONS = sizeof refutations / sizeof *refutations };
 
@@ -78,8 +82,8 @@ static void test_found(void)
 }
 
 /* One change each; false: there is nothing to change. */
-static bool change_sign(choices *c) { return c->exact.line[0].sign = -c->exact.line[0].sign, true; }
-static bool change_multiplicity(choices *c) { return c->exact.line[0].multiplicity++, true; }
+static bool change_sign(choices *c) { return c->exact.line[0].sign = -c->exact.line[0].sign, c->exact.count > 0; }
+static bool change_multiplicity(choices *c) { return c->exact.line[0].multiplicity++, c->exact.count > 0; }
 static bool change_size(choices *c)
 {
     bool larger = c->exact.line[0].size > 1;
@@ -106,7 +110,7 @@ static bool change_column_beyond(choices *c)
             return c->exact.line[i].column = 60, true;
     return false;
 }
-static bool change_frequency(choices *c) { return c->exact.line[c->exact.count - 1].frequency++, true; }
+static bool change_frequency(choices *c) { return c->exact.count ? (c->exact.line[c->exact.count - 1].frequency++, true) : false; }
 static bool change_power(choices *c)
 {
     bool used = c->exact.line[0].power > 0;
@@ -145,6 +149,8 @@ static bool change_radius_to_everything(choices *c)
 static bool change_blocks(choices *c) { return c->blocks.count ? (c->blocks.count--, true) : false; }
 static bool change_claim(choices *c)
 {
+    if (c->claim == CLAIM_REAL)
+        return false;
     c->claim = c->claim == CLAIM_TIE ? CLAIM_JORDAN : c->claim == CLAIM_JORDAN ? CLAIM_TIE : CLAIM_MODULUS_ONE;
     return c->claim != CLAIM_MODULUS_ONE;
 }
@@ -152,6 +158,48 @@ static bool change_witness(choices *c)
 {
     c->witness[0].element = 1000;
     return claim_witnesses(c->claim) > 0;
+}
+static bool change_second_frequency(choices *c) { return c->second_frequency = 0, c->claim == CLAIM_REAL; }
+/* Of the other eigenvalue that is said to be the second. */
+static bool change_second_to_first(choices *c)
+{
+    eigenpair_choice e = c->second;
+    if (c->claim != CLAIM_REAL)
+        return false;
+    c->second = c->eigenpair;
+    c->eigenpair = e;
+    return true;
+}
+static bool change_second_eigenvalue(choices *c)
+{
+    if (c->claim == CLAIM_REAL)
+        MUST(integer_mul_si(&c->second.approximation[c->second.n - 1], &c->second.approximation[c->second.n - 1], 2));
+    return c->claim == CLAIM_REAL;
+}
+static bool change_second_radius(choices *c)
+{
+    if (c->claim == CLAIM_REAL)
+        MUST(integer_mul_2exp(&c->second.radius, &c->second.radius, 60));
+    return c->claim == CLAIM_REAL;
+}
+static bool change_path(choices *c)
+{
+    c->witness[0].path[0] = '9';
+    c->witness[0].path[1] = '\0';
+    c->witness[0].depth = 1;
+    return claim_witnesses(c->claim) > 0;
+}
+static bool change_block(choices *c)
+{
+    for (size_t i = 0; i < c->blocks.count; i++)
+        if (c->blocks.box[i].power > 0)
+            return c->blocks.box[i].power = 0, true;
+    return false;
+}
+static bool change_more_boxes(choices *c)
+{
+    MUST(cover_list_add(&c->blocks, one_frequency(c->k.first), 3));
+    return c->claim != CLAIM_MODULUS_ONE;
 }
 static bool change_valence(choices *c) { return c->k.first++, c->k.last++, true; }
 
@@ -166,6 +214,9 @@ static const change changes[] = {
     {"power of one", change_power_of_one}, {"last", change_last}, {"factor", change_factor}, {"factor slightly", change_factor_slightly},
     {"eigenvalue", change_eigenvalue}, {"radius", change_radius}, {"radius to everything", change_radius_to_everything}, {"blocks", change_blocks},
     {"claim", change_claim}, {"witness", change_witness}, {"valence", change_valence},
+    {"second frequency", change_second_frequency}, {"second in place of the first", change_second_to_first}, {"second eigenvalue", change_second_eigenvalue},
+    {"second radius", change_second_radius}, {"path", change_path}, {"power of a block", change_block},
+    {"box behind all blocks", change_more_boxes},
 };
 enum { CHANGES = sizeof changes / sizeof *changes };
 
@@ -195,6 +246,32 @@ static void test_changed(void)
     test_end();
 }
 
+/* Here no real function is in front: neither that of block 2 at valence 4, which is smaller than that of block 1,
+   nor that of block 1 at valence 5, which is none. */
+static void test_not_real(void)
+{
+    static const long cases[2][3] = {{4, 2, 1}, {5, 1, 2}};
+    subject s;
+    test_begin("real-not");
+    subject_from_catalogue(&s, "loop-ring", "l2=2/5");
+    for (int i = 0; i < 2; i++) {
+        analysis_plan plan = {.problem = &s.problem, .deadline = &(deadline){0}, .system = "ball", .max_level = 10};
+        findings f;
+        choices c;
+        findings_init(&f);
+        choices_init(&c);
+        c.claim = CLAIM_REAL;
+        c.valence = cases[i][0];
+        c.frequency = cases[i][1];
+        c.second_frequency = cases[i][2];
+        CHECK(analysis_search(&f, &c, &plan, 128) != OUTCOME_TRUE, "valence %ld: block %ld dominates", cases[i][0], cases[i][1]);
+        choices_clear(&c);
+        findings_clear(&f);
+    }
+    subject_clear(&s);
+    test_end();
+}
+
 /* Almost equal is not equal: nothing exact is claimed of it. */
 static void test_almost(void)
 {
@@ -216,6 +293,7 @@ int main(void)
 {
     test_found();
     test_changed();
+    test_not_real();
     test_almost();
     return test_status();
 }
