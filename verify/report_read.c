@@ -271,8 +271,8 @@ static void note_choices(report_entry *e, const choices *c)
     e->frequency = c->frequency;
     e->grid = c->grid;
     e->plainly_regular = c->plainly_regular;
-    if (claim_is_exact(c->claim))
-        e->log.others = NAN; /* equal ones are no bound */
+    if (claim_is_exact(c->claim) || !is_one_valence(c->k))
+        e->log.others = NAN; /* equal ones are no bound, and that of a range is not one for each valence's L */
     e->radius = c->plainly_regular || claim_is_exact(c->claim) ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
     for (int i = 0; i < 2 && c->claim == CLAIM_FOLD && e->picture.taken && e->picture.with_net; i++)
         e->witness[i] = find_witness(&e->picture, &c->witness[i]);
