@@ -229,6 +229,13 @@ mutate: all tests/certificates/t-mutate
 	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
 	  $(abs_builddir)/tests/certificates/t-mutate
 
+# Does the corpus notice when a check of the checker is left out?  DISABLE="FILE:LINE ..." tries only these.
+EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors
+.PHONY: disable-checks
+disable-checks: all
+	@CC='$(CC)' SRCDIR=$(abs_srcdir) BUILDDIR=$(abs_builddir) \
+	  $(SHELL) $(srcdir)/tests/check/disable-checks $(DISABLE)
+
 # Fuzz targets: tests/fuzz/fuzz.h.  Those of the checker see it with other names for exit and fopen, and with memory
 # that sanitizers can watch (tests/fuzz/checker.c).
 FUZZ_FILES = tests/fuzz/fuzz.h tests/fuzz/result.c tests/fuzz/replay.c
