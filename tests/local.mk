@@ -32,6 +32,7 @@ LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
   tests/lib/t-regular \
+  tests/lib/t-number_field \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
@@ -41,6 +42,7 @@ LIB_TESTS = \
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
 tests_lib_t_regular_LDADD = $(LINK_LIB)
+tests_lib_t_number_field_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
@@ -51,17 +53,25 @@ tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
-  tests/verify/t-valences \
+  tests/verify/t-valence_list \
+  tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
+  tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
-tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
+tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
+tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
@@ -82,7 +92,8 @@ tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
 CHECK_TESTS = \
   tests/check/t-check-units \
   tests/check/t-check-geometry \
-  tests/check/t-check-spectrum
+  tests/check/t-check-spectrum \
+  tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
 tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
@@ -91,6 +102,8 @@ tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-chec
 tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_ranges_CPPFLAGS =
+tests_check_t_check_ranges_LDADD =
 
 # One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
 GENERIC_TESTS = \
@@ -104,19 +117,30 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-cover \
   tests/lib/t-monotone \
+  tests/lib/t-separation \
   tests/lib/t-eigenvalues \
+  tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
+  tests/lib/t-eigenpair_affine \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
+  tests/lib/t-charnet_affine \
   tests/lib/t-ring \
   tests/verify/t-uniform_net \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
+  tests/verify/pages.sh \
+  tests/verify/completion.sh \
+  tests/verify/report.sh \
+  tests/verify/advice.sh \
+  tests/verify/readme.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
+  tests/check/ranges.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
@@ -125,8 +149,12 @@ SCRIPT_TESTS = \
   tests/fuzz/agree.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/archive.sh \
   tests/verify/regular.sh \
-  tests/verify/spectrum.sh
+  tests/verify/spectrum.sh \
+  tests/faults/durability.sh \
+  tests/faults/kill.sh \
+  tests/faults/failing.sh
 
 # Files that tests read.
 EXTRA_DIST += \
@@ -134,6 +162,7 @@ EXTRA_DIST += \
   tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
   tests/check/butterfly.scheme tests/check/butterfly-5.cert \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
+  tests/check/ranges \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
@@ -159,6 +188,15 @@ ALL_FUZZ_TESTS = $(FUZZ_TESTS) $(FUZZ_CHECKER_TESTS)
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
   $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(ALL_FUZZ_TESTS) $(SCRIPT_TESTS)
 
+# What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
+check_PROGRAMS += tests/faults/crash
+tests_faults_crash_LDADD =
+PRELOADED = tests/faults/preload.so
+EXTRA_DIST += tests/faults/preload.c tests/faults/common.sh
+CLEANFILES += $(PRELOADED)
+$(PRELOADED): tests/faults/preload.c
+	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
+
 check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
   $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
@@ -171,7 +209,7 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
-TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/lib/discs.h tests/verify/common.h
 
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
@@ -196,18 +234,25 @@ tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local: $(ALL_GENERIC_TESTS) $(ALL_FUZZ_TESTS)
+check-local: $(ALL_GENERIC_TESTS) $(ALL_FUZZ_TESTS) $(PRELOADED)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
 	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(ALL_FUZZ_TESTS)
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(PRELOADED)
 
 # Random tests for longer: each test draws until its time is up.
 SECONDS_PER_TEST = 60
 check-long: check-programs
 	@SECONDS_PER_TEST=$(SECONDS_PER_TEST) TEST_TIMEOUT=0 $(RUN_TESTS)
+
+# All faults: every allocation fails in turn, and many more kills. Some minutes.
+.PHONY: check-faults
+check-faults: check-programs
+	@FAULTS_KILLS=1000 FAULTS_SEED=$$$$ FAULTS_MALLOCS=1 FAULTS_EVERY=3 TEST_TIMEOUT=0 SRCDIR=$(srcdir) BUILDDIR=. \
+	  $(SHELL) $(srcdir)/tests/run-tests --only faults $(ALL_TESTS)
 
 # Does every rounding constant of bigfloat/ matter to some test? Some minutes.
 MUTATIONS = tests/bigfloat/mutations tests/bigfloat/mutations-directed

@@ -1,170 +1,144 @@
-/* archive.c: write, fsync, rename, fsync of the directory. */
-#define _POSIX_C_SOURCE 200809L
-#include "archive_internal.h"
+/* archive.c: what is there of earlier runs, and what this one adds. */
+#include "archive.h"
 
 #include "prove_output.h"
+#include "sha256.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#define SCHEME_FILE "scheme.scheme"
-#define MAX_SCHEME_BYTES 65536
-#define MAX_CERTIFICATE_BYTES (64 << 20)
+#define MAX_JOURNAL_BYTES (1 << 30)
 
-void archive_init(archive *z)
+void archive_name(char name[ARCHIVE_NAME_MAX], valence_range k, const char *suffix)
 {
-    z->path = NULL;
+    char valences[VALENCE_RANGE_TEXT];
+    valence_range_print(valences, k);
+    snprintf(name, ARCHIVE_NAME_MAX, "valence-%s%s", valences, suffix);
 }
 
-void archive_clear(archive *z)
+static valence_range valences_of(const decision *d)
 {
-    free(z->path);
-    z->path = NULL;
+    return d->k;
 }
 
-static char *path_of(const archive *z, const char *name)
+/* Is this what was finished under that name? */
+static archive_earlier compare_with_journal(const archive *z, const char *name, const buffer *bytes)
 {
-    size_t length = strlen(z->path) + strlen(name) + 2;
-    char *p = malloc(length);
-    if (p)
-        snprintf(p, length, "%s/%s", z->path, name);
+    const char *finished = journal_find(&z->finished, name);
+    char digest[65];
+    if (!finished)
+        return EARLIER_UNFINISHED;
+    sha256_hex(digest, bytes->bytes, bytes->length);
+    return strcmp(digest, finished) ? EARLIER_DAMAGED : EARLIER_FINISHED;
+}
+
+archive_earlier archive_read(const archive *z, buffer *certificate, valence_range k)
+{
+    archive_earlier result;
+    char name[ARCHIVE_NAME_MAX];
+    char *path;
+    if (!z->path)
+        return EARLIER_NONE;
+    archive_name(name, k, ARCHIVE_CERTIFICATE);
+    path = durable_path(z->path, name);
+    if (path && buffer_read_file(certificate, path, ARCHIVE_MAX_BYTES) && certificate->length)
+        result = compare_with_journal(z, name, certificate);
     else
-        errno = ENOMEM;
-    return p;
-}
-
-static bool write_all(int fd, const char *bytes, size_t length)
-{
-    while (length) {
-        ssize_t n = write(fd, bytes, length);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return false;
-        bytes += n;
-        length -= (size_t)n;
-    }
-    return true;
-}
-
-static bool sync_directory(const char *path)
-{
-    int fd = open(path, O_RDONLY | O_DIRECTORY);
-    bool ok = fd >= 0 && fsync(fd) == 0;
-    if (fd >= 0 && close(fd) != 0)
-        ok = false;
-    return ok;
-}
-
-bool archive_store(const archive *z, const char *name, const char *bytes, size_t length)
-{
-    char unfinished[128];
-    char *path = path_of(z, name), *temporary;
-    bool ok = false;
-    int fd, saved;
-    snprintf(unfinished, sizeof unfinished, "unfinished-%ld-%s.tmp", (long)getpid(), name);
-    temporary = path_of(z, unfinished);
-    if (path && temporary && (fd = open(temporary, O_WRONLY | O_CREAT | O_TRUNC, 0666)) >= 0) {
-        ok = write_all(fd, bytes, length) && fsync(fd) == 0;
-        saved = errno;
-        if (close(fd) != 0)
-            ok = false;
-        else
-            errno = saved;
-        ok = ok && rename(temporary, path) == 0 && sync_directory(z->path);
-        if (!ok) {
-            saved = errno;
-            unlink(temporary);
-            errno = saved;
-        }
-    }
+        result = journal_find(&z->finished, name) ? EARLIER_DAMAGED : EARLIER_NONE;
     free(path);
-    free(temporary);
-    return ok;
-}
-
-archive_status archive_open(archive *z, const char *path, const scheme *s)
-{
-    buffer present;
-    char *file;
-    archive_status result = ARCHIVE_IO_ERROR;
-    if (mkdir(path, 0777) != 0 && errno != EEXIST)
-        return ARCHIVE_IO_ERROR;
-    z->path = malloc(strlen(path) + 1);
-    if (!z->path) {
-        errno = ENOMEM;
-        return ARCHIVE_IO_ERROR;
-    }
-    strcpy(z->path, path);
-    file = path_of(z, SCHEME_FILE);
-    if (!file)
-        return ARCHIVE_IO_ERROR;
-    buffer_init(&present);
-    if (buffer_read_file(&present, file, MAX_SCHEME_BYTES)) {
-        bool same = present.length == s->text_length && !memcmp(present.bytes ? present.bytes : "", s->text, present.length);
-        result = same ? ARCHIVE_OK : ARCHIVE_OTHER_SCHEME;
-    } else if (errno == ENOENT) {
-        result = archive_store(z, SCHEME_FILE, s->text, s->text_length) ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
-    }
-    buffer_clear(&present);
-    free(file);
+    if (result == EARLIER_NONE || result == EARLIER_DAMAGED)
+        buffer_clear(certificate);
     return result;
 }
 
-static bool is_proved(const archive *z, long valence)
+bool archive_read_journal(journal *z, const char *path)
 {
-    char name[64];
-    char *path;
-    bool present;
-    snprintf(name, sizeof name, "valence-%ld.cert", valence);
-    path = path_of(z, name);
-    present = path && access(path, F_OK) == 0;
-    free(path);
-    return present;
-}
-
-void archive_read(const archive *z, buffer *certificate, long valence)
-{
-    char name[64];
-    char *path;
-    if (!z->path)
-        return;
-    snprintf(name, sizeof name, "valence-%ld.cert", valence);
-    path = path_of(z, name);
-    if (path && !buffer_read_file(certificate, path, MAX_CERTIFICATE_BYTES))
-        buffer_clear(certificate);
-    free(path);
-}
-
-archive_status archive_keep(archive *z, char **certificate, const decision *d)
-{
-    char name[64];
+    char *file = durable_path(path, ARCHIVE_JOURNAL);
     buffer text;
     bool ok;
-    *certificate = NULL;
-    if (z->path && d->kept_before) {
-        snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
-        *certificate = path_of(z, name);
-        return *certificate ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+    buffer_init(&text);
+    ok = file && (buffer_read_file(&text, file, MAX_JOURNAL_BYTES) || errno == ENOENT);
+    if (ok && !journal_read(z, text.bytes ? text.bytes : "", text.length)) {
+        errno = ENOMEM;
+        ok = false;
     }
-    if (!z->path || (d->verdict == VERDICT_UNDECIDED && is_proved(z, d->valence)))
-        return ARCHIVE_OK; /* what was proved once stays, and the log that belongs to it */
+    free(file);
+    buffer_clear(&text);
+    return ok;
+}
+
+/* ---- writing ---- */
+
+static bool keep_file(archive *z, const char *name, const buffer *bytes)
+{
+    if (bytes->failed) {
+        errno = ENOMEM;
+        return false;
+    }
+    journal_print(&z->lines, name, bytes->bytes ? bytes->bytes : "", bytes->length);
+    return durable_group_add(&z->group, name, bytes->bytes ? bytes->bytes : "", bytes->length, 0666);
+}
+
+static bool keep_log(archive *z, const decision *d)
+{
+    char name[ARCHIVE_NAME_MAX];
+    buffer text;
+    bool ok;
     buffer_init(&text);
     prove_write_log(&text, d);
-    snprintf(name, sizeof name, "valence-%ld.log", d->valence);
-    if (text.failed)
-        errno = ENOMEM;
-    ok = !text.failed && archive_store(z, name, text.bytes, text.length);
+    archive_name(name, valences_of(d), ARCHIVE_LOG);
+    ok = keep_file(z, name, &text);
     buffer_clear(&text);
-    snprintf(name, sizeof name, "valence-%ld.cert", d->valence);
+    return ok;
+}
+
+static bool keep_certificate(archive *z, const decision *d)
+{
+    char name[ARCHIVE_NAME_MAX];
+    archive_name(name, valences_of(d), ARCHIVE_CERTIFICATE);
+    return keep_file(z, name, &d->certificate);
+}
+
+static bool has_log(const archive *z, const decision *d)
+{
+    char name[ARCHIVE_NAME_MAX];
+    archive_name(name, valences_of(d), ARCHIVE_LOG);
+    return journal_find(&z->finished, name) != NULL;
+}
+
+archive_status archive_keep(archive *z, char **certificate, const decision *d, archive_earlier earlier)
+{
+    bool ok = true;
+    *certificate = NULL;
+    if (!z->path)
+        return ARCHIVE_OK;
+    if (d->verdict == VERDICT_UNDECIDED && (earlier == EARLIER_FINISHED || earlier == EARLIER_UNFINISHED))
+        return ARCHIVE_OK; /* what was proved once stays, and the log that belongs to it */
+    if (!d->kept_before || !has_log(z, d))
+        ok = keep_log(z, d);
     if (ok && d->verdict != VERDICT_UNDECIDED) {
-        *certificate = path_of(z, name);
-        ok = *certificate && archive_store(z, name, d->certificate.bytes, d->certificate.length);
+        char name[ARCHIVE_NAME_MAX];
+        archive_name(name, valences_of(d), ARCHIVE_CERTIFICATE);
+        *certificate = durable_path(z->path, name);
+        ok = *certificate && ((d->kept_before && earlier == EARLIER_FINISHED) || keep_certificate(z, d));
     }
+    return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+}
+
+archive_status archive_commit(archive *z)
+{
+    bool ok = true;
+    if (!z->path)
+        return ARCHIVE_OK;
+    if (z->lines.failed) {
+        errno = ENOMEM;
+        ok = false;
+    }
+    ok = ok && durable_group_commit(&z->group);
+    if (ok && z->lines.length)
+        ok = durable_append(z->journal_fd, z->lines.bytes, z->lines.length);
+    buffer_clear(&z->lines);
     return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
 }

@@ -1,111 +1,211 @@
-/* archive_index.c: the list of what is in the directory, made from what is in the directory. */
+/* archive_index.c: the list of what is in the directory. */
 #define _POSIX_C_SOURCE 200809L
-#include "archive_internal.h"
+#include "archive_index.h"
 
+#include "archive.h"
 #include "sha256.h"
+#include "statement.h"
 
 #include "../lib/growing.h"
 
 #include <dirent.h>
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
-    long valence;
-    bool decided; /* there is a certificate */
-} entry;
-
-typedef struct {
-    entry *entries;
-    size_t count, capacity;
-} listing;
-
-/* The valence of "valence-K.SUFFIX", 0 if the name is another. */
-static long valence_of(const char *name, const char *suffix)
+void archive_index_init(archive_index *z)
 {
-    static const char head[] = "valence-";
-    const char *p = name + sizeof head - 1;
-    long valence = 0;
-    if (strncmp(name, head, sizeof head - 1) || *p < '1' || *p > '9')
-        return 0;
-    for (; *p >= '0' && *p <= '9' && valence <= CHOICES_MAX_VALENCE; p++)
-        valence = 10 * valence + (*p - '0');
-    return strcmp(p, suffix) ? 0 : valence;
+    memset(z, 0, sizeof *z);
 }
 
-static bool add(listing *z, entry e)
+void archive_index_clear(archive_index *z)
 {
-    entry *p = growing_room(z->entries, z->count, &z->capacity, sizeof *p);
-    if (!p)
+    free(z->entry);
+    archive_index_init(z);
+}
+
+/* Is it "valence-K" and the suffix? */
+static bool read_name(valence_range *k, const char *name, const char *suffix)
+{
+    const char *rest;
+    if (strncmp(name, "valence-", 8))
         return false;
-    z->entries = p;
-    z->entries[z->count++] = e;
+    rest = valence_range_read(k, name + 8);
+    return rest && !strcmp(rest, suffix);
+}
+
+static bool add(archive_index *z, valence_range k, bool certificate)
+{
+    archive_index_entry *room = growing_room(z->entry, z->count, &z->capacity, sizeof *room);
+    if (!room) {
+        errno = ENOMEM;
+        return false;
+    }
+    z->entry = room;
+    memset(&room[z->count], 0, sizeof *room);
+    room[z->count].valences = k;
+    room[z->count].verdict = certificate ? VERDICT_PROVED : VERDICT_UNDECIDED; /* of the former, not known yet */
+    z->count++;
     return true;
 }
 
-/* Certificates first among those of one valence. */
-static int by_valence(const void *x, const void *y)
-{
-    const entry *a = x, *b = y;
-    return a->valence != b->valence ? (a->valence > b->valence) - (a->valence < b->valence) : b->decided - a->decided;
-}
-
-static bool list_directory(listing *z, const char *path)
+static bool list_directory(archive_index *z, const char *path)
 {
     DIR *d = opendir(path);
     bool ok = d != NULL;
     for (struct dirent *f; ok && (errno = 0, f = readdir(d)) != NULL;) {
-        entry e = {valence_of(f->d_name, ".cert"), true};
-        if (!e.valence)
-            e = (entry){valence_of(f->d_name, ".log"), false};
-        if (e.valence)
-            ok = add(z, e);
+        valence_range k;
+        if (read_name(&k, f->d_name, ARCHIVE_CERTIFICATE))
+            ok = add(z, k, true);
+        else if (read_name(&k, f->d_name, ARCHIVE_LOG))
+            ok = add(z, k, false);
     }
     ok = ok && errno == 0;
-    if (d)
+    if (d) {
+        int saved = errno;
         closedir(d);
+        errno = saved;
+    }
     return ok;
 }
 
-static bool print_entry(buffer *text, const archive *z, const entry *e)
+/* By the first valence, longer ranges before shorter ones, certificates before logs. */
+static int by_valences(const void *x, const void *y)
 {
-    buffer certificate;
-    char digest[65];
-    if (!e->decided) {
-        buffer_print(text, "%ld undecided\n", e->valence);
-        return true;
-    }
-    buffer_init(&certificate);
-    archive_read(z, &certificate, e->valence);
-    if (certificate.length == 0)
+    const archive_index_entry *a = x, *b = y;
+    if (a->valences.first != b->valences.first)
+        return a->valences.first < b->valences.first ? -1 : 1;
+    if (a->valences.last != b->valences.last)
+        return a->valences.last > b->valences.last ? -1 : 1;
+    return (int)a->verdict - (int)b->verdict;
+}
+
+/* One entry for each, whether there is a certificate, a log or both. */
+static void merge(archive_index *z)
+{
+    size_t kept = 0;
+    if (z->count)
+        qsort(z->entry, z->count, sizeof *z->entry, by_valences);
+    for (size_t i = 0; i < z->count; i++)
+        if (kept == 0 || !valence_range_equal(z->entry[i].valences, z->entry[kept - 1].valences))
+            z->entry[kept++] = z->entry[i];
+    z->count = kept;
+}
+
+/* What the certificate claims; what cannot be read, or is not what was finished, claims nothing. */
+static bool read_certificate(archive_index_entry *e, const char *path, const journal *finished)
+{
+    char name[ARCHIVE_NAME_MAX];
+    char *file;
+    const char *expected;
+    statement claim;
+    long line;
+    buffer bytes;
+    bool ok;
+    archive_name(name, e->valences, ARCHIVE_CERTIFICATE);
+    file = durable_path(path, name);
+    buffer_init(&bytes);
+    ok = file && buffer_read_file(&bytes, file, ARCHIVE_MAX_BYTES);
+    free(file);
+    if (!ok) {
+        buffer_clear(&bytes);
         return false;
-    sha256_hex(digest, certificate.bytes, certificate.length);
-    buffer_print(text, "%ld %s %s valence-%ld.cert\n", e->valence, strstr(certificate.bytes, "\nclaim c1\n") ? "proved" : "refuted", digest, e->valence);
-    buffer_clear(&certificate);
+    }
+    expected = journal_find(finished, name);
+    sha256_hex(e->digest, bytes.bytes ? bytes.bytes : "", bytes.length);
+    e->bytes = bytes.length;
+    e->damaged = statement_read(&claim, &line, bytes.bytes ? bytes.bytes : "", bytes.length) || !valence_range_equal(claim.valences, e->valences) ||
+                 (expected && strcmp(expected, e->digest));
+    e->version = claim.version;
+    e->grid = claim.grid;
+    e->verdict = e->damaged ? VERDICT_UNDECIDED : claim.c1 ? VERDICT_PROVED : VERDICT_REFUTED;
+    buffer_clear(&bytes);
     return true;
 }
 
-archive_status archive_write_index(const archive *z)
+/* What is decided as part of a longer range, which comes before it, is not undecided. */
+static void mark_covered(archive_index *z)
 {
-    listing l = {NULL, 0, 0};
+    long reach = 0;
+    for (size_t i = 0; i < z->count; i++) {
+        archive_index_entry *e = &z->entry[i];
+        if (e->verdict != VERDICT_UNDECIDED && e->valences.last > reach)
+            reach = e->valences.last;
+        e->covered = e->verdict == VERDICT_UNDECIDED && !e->damaged && e->valences.last <= reach;
+    }
+}
+
+bool archive_index_make(archive_index *z, const char *path, const journal *finished)
+{
+    bool ok = list_directory(z, path);
+    merge(z);
+    for (size_t i = 0; ok && i < z->count; i++)
+        if (z->entry[i].verdict != VERDICT_UNDECIDED)
+            ok = read_certificate(&z->entry[i], path, finished);
+    if (ok)
+        mark_covered(z);
+    return ok;
+}
+
+void archive_index_print(buffer *text, const archive_index *z)
+{
+    for (size_t i = 0; i < z->count; i++) {
+        const archive_index_entry *e = &z->entry[i];
+        char valences[VALENCE_RANGE_TEXT], name[ARCHIVE_NAME_MAX];
+        if (e->covered)
+            continue;
+        valence_range_print(valences, e->valences);
+        archive_name(name, e->valences, ARCHIVE_CERTIFICATE);
+        if (e->verdict == VERDICT_UNDECIDED)
+            buffer_print(text, "%s undecided\n", valences);
+        else
+            buffer_print(text, "%s %s %s %s\n", valences, verdict_name(e->verdict), e->digest, name);
+    }
+}
+
+/* The entries are sorted by their first valence: it is enough to compare each with the one before it of the other verdict that
+   reaches farthest. */
+bool archive_index_contradiction(valence_range pair[2], const archive_index *z)
+{
+    const archive_index_entry *farthest[VERDICT_UNDECIDED] = {NULL, NULL};
+    for (size_t i = 0; i < z->count; i++) {
+        const archive_index_entry *e = &z->entry[i], *other;
+        if (e->verdict == VERDICT_UNDECIDED)
+            continue;
+        other = farthest[e->verdict == VERDICT_PROVED ? VERDICT_REFUTED : VERDICT_PROVED];
+        if (other && valence_range_overlap(other->valences, e->valences)) {
+            pair[0] = other->valences;
+            pair[1] = e->valences;
+            return true;
+        }
+        if (!farthest[e->verdict] || farthest[e->verdict]->valences.last < e->valences.last)
+            farthest[e->verdict] = e;
+    }
+    return false;
+}
+
+archive_status archive_write_index(const archive *z, valence_range contradiction[2])
+{
+    archive_index index;
+    journal now;
     buffer text;
-    bool ok;
+    archive_status result = ARCHIVE_IO_ERROR;
     if (!z->path)
         return ARCHIVE_OK;
+    archive_index_init(&index);
+    journal_init(&now);
     buffer_init(&text);
-    ok = list_directory(&l, z->path);
-    qsort(l.entries, l.count, sizeof *l.entries, by_valence);
-    for (size_t i = 0; ok && i < l.count; i++)
-        if (i == 0 || l.entries[i].valence != l.entries[i - 1].valence)
-            ok = print_entry(&text, z, &l.entries[i]);
-    if (text.failed) {
-        ok = false;
-        errno = ENOMEM;
+    if (archive_read_journal(&now, z->path) && archive_index_make(&index, z->path, &now)) {
+        archive_index_print(&text, &index);
+        if (text.failed)
+            errno = ENOMEM;
+        else if (archive_index_contradiction(contradiction, &index))
+            result = ARCHIVE_CONTRADICTION;
+        else if (durable_store(z->path, ARCHIVE_INDEX, text.bytes ? text.bytes : "", text.length, 0666))
+            result = ARCHIVE_OK;
     }
-    ok = ok && archive_store(z, "index", text.bytes ? text.bytes : "", text.length);
-    free(l.entries);
+    archive_index_clear(&index);
+    journal_clear(&now);
     buffer_clear(&text);
-    return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+    return result;
 }

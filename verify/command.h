@@ -19,6 +19,10 @@ int command_prove(int argc, char **argv);
 int command_spectrum(int argc, char **argv);
 int command_regular(int argc, char **argv);
 int command_schemes(int argc, char **argv);
+int command_show(int argc, char **argv);
+int command_rerun(int argc, char **argv);
+int command_archive(int argc, char **argv);
+int command_report(int argc, char **argv);
 
 /* Complains on stderr, as "smoothcert: ...", and returns the status given. */
 int complain(int exit_status, const char *format, ...)

@@ -3,11 +3,17 @@
 #include "command.h"
 
 #include "archive.h"
+#include "archive_index.h"
+#include "archive_run.h"
+#include "classification.h"
+#include "command_out.h"
 #include "command_scheme.h"
 #include "escalate.h"
+#include "keeper.h"
+#include "partition.h"
 #include "progress.h"
 #include "prove_output.h"
-#include "valences.h"
+#include "valence_list.h"
 #include "workers.h"
 
 #include "../bigfloat/interval.h"
@@ -24,7 +30,9 @@ static const char help[] =
     "Usage: smoothcert prove SCHEME --valence LIST [OPTION]...\n"
     "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
     "\n"
-    "  --valence LIST        valences, such as 7 or 3..20,50\n"
+    "  --valence LIST        valences, such as 7 or 3..20,50 or 8..inf or all; up to 1,000 of them are\n"
+    "                        examined one by one, more in ranges, as wide as can be decided at once\n"
+    "  --each                one by one, however many they are (100,000 at most)\n"
     "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
     "  --method METHOD       adaptive (default), or uniform: the reference for triangle meshes, which\n"
     "                        subdivides everywhere alike and bounds the error of the whole net; the\n"
@@ -41,6 +49,9 @@ static const char help[] =
     "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
+/* More valences than that are examined in ranges, unless --each is given, which goes farther. */
+enum { MAX_EACH = 1000, MAX_EACH_FORCED = 100000 };
+
 typedef struct {
     scheme_options scheme;
     const char *list;
@@ -48,29 +59,28 @@ typedef struct {
     limits limits;
     long jobs;
     bool uniform;
+    bool each;
     bool json;
 } options;
 
 typedef struct {
+    buffer command; /* for the archive: getopt_long changes the order of argv */
     options options;
     scheme scheme;
     problem problem;
     uniform_bounds uniform;
-    valences valences;
+    valence_list list;
     archive archive;
+    keeper keeper;
     progress progress;
+    long reported;
+    bool in_ranges;
+    classification classification; /* of ranges */
+    archive_index earlier;         /* what was there before, then */
     int result;
 } prove_run;
 
 /* ---- arguments ---- */
-
-static bool read_seconds(double *at, const char *text)
-{
-    char *end;
-    double seconds = strtod(text, &end);
-    *at = deadline_now() + seconds;
-    return end != text && *end == '\0' && seconds > 0 && seconds <= 1e9;
-}
 
 /* -1: go on; else the exit status. */
 static int read_option(options *o, int option, const char *value)
@@ -99,11 +109,14 @@ static int read_option(options *o, int option, const char *value)
         o->limits.max_level = (int)level;
         return -1;
     case 't':
-        return read_seconds(&o->limits.deadline.at, value) ? -1 : complain(EXIT_USAGE, "--time-limit: expected a number of seconds, found '%s'", value);
+        return read_seconds_option(&o->limits.deadline, value) ? -1 : complain(EXIT_USAGE, "--time-limit: expected a number of seconds, found '%s'", value);
     case 'j':
         return read_long_option(&o->jobs, value, 1, 256) ? -1 : complain(EXIT_USAGE, "--jobs: expected a number from 1 to 256, found '%s'", value);
     case 'o':
         o->out = value;
+        return -1;
+    case 'e':
+        o->each = true;
         return -1;
     case 'J':
         o->json = true;
@@ -120,7 +133,8 @@ static int read_options(options *o, int argc, char **argv)
         {"valence", required_argument, NULL, 'v'},   {"set", required_argument, NULL, 's'},       {"precision", required_argument, NULL, 'p'},
         {"max-precision", required_argument, NULL, 'm'}, {"max-level", required_argument, NULL, 'l'}, {"time-limit", required_argument, NULL, 't'},
         {"jobs", required_argument, NULL, 'j'},      {"out", required_argument, NULL, 'o'},       {"json", no_argument, NULL, 'J'},
-        {"method", required_argument, NULL, 'M'},    {"help", no_argument, NULL, 'h'},                {NULL, 0, NULL, 0},
+        {"method", required_argument, NULL, 'M'},    {"each", no_argument, NULL, 'e'},               {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
     };
     int option, result;
     memset(o, 0, sizeof *o);
@@ -167,25 +181,15 @@ static int open_archive(prove_run *r)
     if (path && !strcmp(path, "none"))
         return -1;
     name_archive(name, sizeof name, r);
-    if (!path)
-        path = name;
-    switch (archive_open(&r->archive, path, &r->scheme)) {
-    case ARCHIVE_OK:
-        return -1;
-    case ARCHIVE_OTHER_SCHEME:
-        return complain(EXIT_BAD_INPUT, "%s holds evidence for another scheme; name another directory with --out", path);
-    default:
-        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", path, strerror(errno));
-    }
+    return command_open_archive(&r->archive, path ? path : name, &r->scheme, &r->command);
 }
 
 /* ---- the answers ---- */
 
 typedef struct {
     decision decision;
+    archive_earlier earlier;
     char *certificate; /* where it is kept */
-    archive_status kept;
-    int error;         /* errno of what could not be kept */
 } answer;
 
 static void discard(void *result)
@@ -207,13 +211,9 @@ static void *decide(long i, void *data)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    archive_read(&r->archive, &earlier, valences_get(&r->valences, i));
-    decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
+    a->earlier = archive_read(&r->archive, &earlier, one_valence(valence_list_get(&r->list, i)));
+    decide_valence(&a->decision, &r->problem, valence_list_get(&r->list, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
-    if (a->decision.verdict != VERDICT_UNDECIDED || (a->decision.outcome != OUTCOME_NO_MEMORY && a->decision.outcome != OUTCOME_BAD_INPUT && !deadline_interrupted())) {
-        a->kept = archive_keep(&r->archive, &a->certificate, &a->decision);
-        a->error = errno;
-    }
     return a;
 }
 
@@ -227,22 +227,19 @@ static void raise_result(prove_run *r, int exit_status)
 static bool report(prove_run *r, const answer *a)
 {
     const decision *d = &a->decision;
-    progress_clear(&r->progress);
+    if (a->earlier == EARLIER_DAMAGED)
+        complain(0, "%s: the certificate for valence %ld is not the one that was finished; it is made anew", r->archive.path, d->k.first);
     if (d->verdict == VERDICT_UNDECIDED && deadline_interrupted()) {
         raise_result(r, EXIT_INTERRUPTED);
         return false;
     }
     if (d->outcome == OUTCOME_NO_MEMORY) {
-        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->valence));
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->k.first));
         return false;
     }
     if (d->outcome == OUTCOME_BAD_INPUT) {
         raise_result(r, complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, decision_obstacle(d)->reason));
         return true;
-    }
-    if (a->kept != ARCHIVE_OK) {
-        raise_result(r, complain(a->error == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld could not be kept: %s", r->archive.path, d->valence, strerror(a->error)));
-        return false;
     }
     (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);
     if (d->verdict != VERDICT_PROVED)
@@ -254,20 +251,72 @@ static bool report(prove_run *r, const answer *a)
     return true;
 }
 
-static bool finish(long i, void *result, void *data)
+/* ---- what is finished ---- */
+
+static bool is_worth_keeping(const answer *a)
 {
-    prove_run *r = data;
-    answer *a = result;
+    const decision *d = &a->decision;
+    return d->verdict != VERDICT_UNDECIDED || (d->outcome != OUTCOME_NO_MEMORY && d->outcome != OUTCOME_BAD_INPUT && !deadline_interrupted());
+}
+
+_Static_assert((int)KEEPER_GROUP_MAX <= (int)ARCHIVE_GROUP_MAX, "a group of the keeper is one of the archive");
+
+/* Makes the answers durable; only then are they told. */
+static bool keep_all(prove_run *r, answer *const *answers, int count)
+{
+    archive_status kept = ARCHIVE_OK;
+    long from = 0;
+    for (int i = 0; kept == ARCHIVE_OK && i < count; i++) {
+        if (!answers[i] || !is_worth_keeping(answers[i]))
+            continue;
+        from = from ? from : answers[i]->decision.k.first;
+        kept = archive_keep(&r->archive, &answers[i]->certificate, &answers[i]->decision, answers[i]->earlier);
+    }
+    if (kept == ARCHIVE_OK)
+        kept = archive_commit(&r->archive);
+    if (kept == ARCHIVE_OK)
+        return true;
+    raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld and what follows could not be kept: %s", r->archive.path, from, strerror(errno)));
+    return false;
+}
+
+static bool report_next(prove_run *r, const answer *a)
+{
     bool go_on = a != NULL && report(r, a);
     if (!a)
         raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
-    discard(a);
-    if (go_on && deadline_interrupted() && i + 1 < r->valences.count) {
+    r->reported++;
+    if (go_on && r->in_ranges && !classification_add(&r->classification, &a->decision)) {
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
+        go_on = false;
+    }
+    if (go_on && deadline_interrupted() && r->reported < r->list.count) {
         raise_result(r, EXIT_INTERRUPTED);
         go_on = false;
     }
-    progress_show(&r->progress, i + 1);
     return go_on;
+}
+
+static bool keep_group(void *const *results, int count, void *data)
+{
+    prove_run *r = data;
+    answer *const *answers = (answer *const *)results;
+    bool go_on;
+    progress_clear(&r->progress);
+    go_on = keep_all(r, answers, count);
+    for (int i = 0; i < count; i++) {
+        go_on = go_on && report_next(r, answers[i]);
+        discard(answers[i]);
+    }
+    progress_show(&r->progress, r->reported);
+    return go_on;
+}
+
+static bool finish(long i, void *result, void *data)
+{
+    prove_run *r = data;
+    (void)i;
+    return keeper_put(&r->keeper, result);
 }
 
 static void interrupt(int signal)
@@ -283,19 +332,102 @@ static void heed_interrupts(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+/* ---- one by one, or in ranges ---- */
+
+static bool decide_each(prove_run *r)
+{
+    workers w = {r->list.count, (int)r->options.jobs, decide, finish, discard, r};
+    return workers_run(&w);
+}
+
+static bool take(decision *d, void *data)
+{
+    prove_run *r = data;
+    answer *a = calloc(1, sizeof *a);
+    buffer unused;
+    if (a) {
+        a->decision = *d;
+        decision_init(d);
+        buffer_init(&unused);
+        a->earlier = archive_read(&r->archive, &unused, a->decision.k);
+        buffer_clear(&unused);
+    }
+    return keeper_put(&r->keeper, a);
+}
+
+/* The index has longer ranges before shorter ones. */
+static valence_range find_earlier(buffer *certificate, long k, long last, void *data)
+{
+    prove_run *r = data;
+    for (size_t i = 0; i < r->earlier.count; i++) {
+        const archive_index_entry *e = &r->earlier.entry[i];
+        if (e->valences.first == k && e->valences.last <= last && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
+            return e->valences;
+    }
+    return one_valence(k);
+}
+
+static void summarise(const prove_run *r)
+{
+    buffer text;
+    buffer_init(&text);
+    if (r->options.json) {
+        buffer_print(&text, "{\"scheme\":\"%s\",\"boxes\":%ld,", r->scheme.name, r->classification.boxes);
+        classification_print_json(&text, &r->classification);
+        buffer_print(&text, "}");
+    } else {
+        buffer_print(&text, "%s, in %ld %s: ", r->scheme.name, r->classification.boxes, r->classification.boxes == 1 ? "box" : "boxes");
+        classification_print(&text, &r->classification);
+    }
+    if (!text.failed)
+        puts(text.bytes);
+    buffer_clear(&text);
+}
+
+static bool decide_ranges(prove_run *r)
+{
+    partition p = {&r->problem, &r->options.limits, find_earlier, take, r};
+    bool more = !r->archive.path || archive_index_make(&r->earlier, r->archive.path, &r->archive.finished);
+    if (!more)
+        raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", r->archive.path, strerror(errno)));
+    for (int i = 0; more && i < r->list.ranges; i++)
+        more = partition_run(&p, r->list.range[i]);
+    return true;
+}
+
 static int decide_all(prove_run *r)
 {
-    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
-    progress_begin(&r->progress, r->valences.count);
-    if (!workers_run(&w))
-        return complain(EXIT_NO_MEMORY, "no memory");
+    bool ran;
+    progress_begin(&r->progress, r->list.count);
+    keeper_start(&r->keeper);
+    ran = (r->in_ranges ? decide_ranges : decide_each)(r);
+    keeper_finish(&r->keeper);
     progress_clear(&r->progress);
-    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT)
-        if (archive_write_index(&r->archive) != ARCHIVE_OK)
-            return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s/index: %s", r->archive.path, strerror(errno));
+    if (!ran)
+        return complain(EXIT_NO_MEMORY, "no memory");
+    if (r->classification.count)
+        summarise(r);
+    if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT) {
+        int written = command_write_index(&r->archive);
+        if (written)
+            return written;
+    }
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;
+}
+
+/* One by one, or in ranges?  These need the real form. */
+static int prepare_ranges(prove_run *r)
+{
+    bool each = r->options.each || r->list.count <= MAX_EACH || (!r->scheme.mirror_symmetric && r->list.count <= MAX_EACH_FORCED);
+    r->in_ranges = !each;
+    if (each && r->list.count > MAX_EACH_FORCED)
+        return complain(EXIT_USAGE, "--each examines at most %d valences in a run", MAX_EACH_FORCED);
+    if (!each && !r->scheme.mirror_symmetric)
+        return complain(EXIT_USAGE, "ranges of valences need a scheme that is evidently mirror-symmetric, which %s is not; name at most %d valences", r->scheme.name,
+                        MAX_EACH_FORCED);
+    return -1;
 }
 
 /* What the uniform method needs, where it is wanted. */
@@ -319,7 +451,7 @@ static int prove(prove_run *r)
     int result = scheme_options_load(&r->scheme, &r->options.scheme);
     if (result >= 0)
         return result;
-    complaint = valences_read(&r->valences, r->options.list);
+    complaint = valence_list_read(&r->list, r->options.list);
     if (complaint)
         return complain(EXIT_USAGE, "--valence %s: %s", r->options.list, complaint);
     if (!interval_self_test()) {
@@ -331,6 +463,9 @@ static int prove(prove_run *r)
     result = prepare_method(r);
     if (result >= 0)
         return result;
+    result = prepare_ranges(r);
+    if (result >= 0)
+        return result;
     result = open_archive(r);
     return result >= 0 ? result : decide_all(r);
 }
@@ -338,18 +473,31 @@ static int prove(prove_run *r)
 int command_prove(int argc, char **argv)
 {
     prove_run r;
-    int result = read_options(&r.options, argc, argv);
-    if (result >= 0)
+    int result;
+    buffer_init(&r.command);
+    archive_describe_run(&r.command, argc, argv);
+    result = read_options(&r.options, argc, argv);
+    if (result >= 0) {
+        buffer_clear(&r.command);
         return result;
+    }
     r.result = EXIT_PROVED;
     scheme_init(&r.scheme);
     problem_init(&r.problem);
     uniform_bounds_init(&r.uniform);
-    r.valences.count = 0;
+    r.list.count = 0;
+    r.in_ranges = false;
+    classification_init(&r.classification);
+    archive_index_init(&r.earlier);
+    r.reported = 0;
+    r.keeper = (keeper){.keep = keep_group, .discard = discard, .data = &r};
     archive_init(&r.archive);
     heed_interrupts();
     result = prove(&r);
     archive_clear(&r.archive);
+    archive_index_clear(&r.earlier);
+    classification_clear(&r.classification);
+    buffer_clear(&r.command);
     uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);
     scheme_clear(&r.scheme);

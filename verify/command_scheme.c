@@ -39,6 +39,14 @@ bool read_long_option(long *value, const char *text, long low, long high)
     return errno == 0 && end != text && *end == '\0' && *value >= low && *value <= high;
 }
 
+bool read_seconds_option(deadline *d, const char *text)
+{
+    char *end;
+    double seconds = strtod(text, &end);
+    d->at = deadline_now() + seconds;
+    return end != text && *end == '\0' && seconds > 0 && seconds <= 1e9;
+}
+
 static const char *find_in_catalogue(const char *name)
 {
     for (const struct catalogue_entry *e = catalogue; e->name; e++)

@@ -3,6 +3,7 @@
 #define VERIFY_COMMAND_SCHEME_H
 
 #include "../lib/scheme.h"
+#include "deadline.h"
 
 enum { SCHEME_OPTIONS_MAX = 64 };
 
@@ -27,5 +28,7 @@ int complain_of_scheme(const char *name, const diagnostic *d);
 
 /* A decimal option value in the range given. */
 bool read_long_option(long *value, const char *text, long low, long high);
+/* A time limit in seconds, from now on. */
+bool read_seconds_option(deadline *d, const char *text);
 
 #endif

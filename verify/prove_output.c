@@ -1,6 +1,10 @@
 /* prove_output.c: figures as bounds, sentences as JSON strings. */
 #include "prove_output.h"
 
+#include "advice.h"
+#include "json.h"
+#include "valence_range.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -29,6 +33,14 @@ static void describe_system(char *text, size_t size, const char *system, long pr
         snprintf(text, size, "exact arithmetic");
 }
 
+/* "valence 7", "valences 8..20" */
+static void describe_valences(char *text, size_t size, valence_range k)
+{
+    char range[VALENCE_RANGE_TEXT];
+    valence_range_print(range, k);
+    snprintf(text, size, "valence%s %s", is_one_valence(k) ? "" : "s", range);
+}
+
 static void print_figures(const decision *d)
 {
     const findings *f = &d->findings;
@@ -44,9 +56,10 @@ static void print_figures(const decision *d)
 
 void prove_print_line(const char *name, const decision *d, const char *certificate)
 {
-    char system[64];
+    char system[64], valences[64];
+    describe_valences(valences, sizeof valences, d->k);
     if (d->verdict == VERDICT_PROVED) {
-        printf("proved: %s is C1 at valence %ld; ", name, d->valence);
+        printf("proved: %s is C1 at %s; ", name, valences);
         describe_system(system, sizeof system, d->plainly_regular || d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -57,7 +70,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s", system);
         }
     } else if (d->verdict == VERDICT_REFUTED) {
-        printf("refuted: %s is not C1 at valence %ld; ", name, d->valence);
+        printf("refuted: %s is not C1 at %s; ", name, valences);
         describe_system(system, sizeof system, d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -65,8 +78,10 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
+        char advice[256];
         describe_system(system, sizeof system, a->system, a->precision);
-        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->valence, a->test, a->reason, system);
+        advise(advice, sizeof advice, d);
+        printf("undecided: %s at %s; %s: %s; last tried with %s; %s", name, valences, a->test, a->reason, system, advice);
     }
     printf(", %.3g s", d->seconds);
     if (certificate)
@@ -76,27 +91,15 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
 
 /* ---- JSON ---- */
 
-/* Numbers that JSON does not have become null. */
-static void write_number(buffer *b, const char *name, double value)
+/* Of one valence the number, of several the first and the last one, which is null if there is none. */
+static void write_valences(buffer *b, valence_range k)
 {
-    if (isfinite(value))
-        buffer_print(b, ",\"%s\":%.17g", name, value);
+    if (is_one_valence(k))
+        buffer_print(b, "\"valence\":%ld", k.first);
+    else if (k.last == VALENCES_UNBOUNDED)
+        buffer_print(b, "\"valences\":[%ld,null]", k.first);
     else
-        buffer_print(b, ",\"%s\":null", name);
-}
-
-static void write_string(buffer *b, const char *name, const char *text)
-{
-    buffer_print(b, ",\"%s\":\"", name);
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            buffer_print(b, "\\%c", *text);
-        else if ((unsigned char)*text < ' ' || (unsigned char)*text > '~')
-            buffer_print(b, "\\u%04x", (unsigned char)*text);
-        else
-            buffer_append(b, text, 1);
-    }
-    buffer_print(b, "\"");
+        buffer_print(b, "\"valences\":[%ld,%ld]", k.first, k.last);
 }
 
 /* Of the trees of the certificate, and of the uniform method. */
@@ -109,12 +112,12 @@ static void write_levels(buffer *b, const findings *f)
 
 static void write_findings(buffer *b, const findings *f)
 {
-    write_string(b, "eigenvalue", f->eigenvalue);
-    write_number(b, "modulus_lower", f->eigenvalue_lower);
-    write_number(b, "modulus_upper", f->eigenvalue_upper);
-    write_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
+    json_add_string(b, "eigenvalue", f->eigenvalue);
+    json_add_number(b, "modulus_lower", f->eigenvalue_lower);
+    json_add_number(b, "modulus_upper", f->eigenvalue_upper);
+    json_add_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
     buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
-    write_number(b, "jacobian_lower", f->jacobian);
+    json_add_number(b, "jacobian_lower", f->jacobian);
     buffer_print(b, ",\"method\":\"%s\"", f->uniform ? "uniform" : "adaptive");
     write_levels(b, f);
 }
@@ -124,28 +127,33 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
     const attempt *a = decision_obstacle(d);
     buffer b;
     buffer_init(&b);
-    buffer_print(&b, "{\"scheme\":\"%s\",\"valence\":%ld,\"verdict\":\"%s\"", name, d->valence, verdict_name(d->verdict));
+    buffer_print(&b, "{\"scheme\":\"%s\",", name);
+    write_valences(&b, d->k);
+    buffer_print(&b, ",\"verdict\":\"%s\"", verdict_name(d->verdict));
     if (d->verdict == VERDICT_PROVED && !d->plainly_regular && !d->kept_before)
         write_findings(&b, &d->findings);
     if (d->kept_before) {
         buffer_print(&b, ",\"kept_before\":true");
     } else if (d->verdict != VERDICT_UNDECIDED) {
         if (d->verdict == VERDICT_REFUTED) {
-            write_string(&b, "reason", d->reason);
-            write_string(&b, "eigenvalue", d->findings.eigenvalue);
+            json_add_string(&b, "reason", d->reason);
+            json_add_string(&b, "eigenvalue", d->findings.eigenvalue);
             buffer_print(&b, ",\"frequency\":%ld", d->frequency);
         }
-        write_string(&b, "system", d->plainly_regular ? "exact" : d->system);
+        json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {
-        write_string(&b, "test", a->test);
-        write_string(&b, "reason", a->reason);
-        write_string(&b, "system", a->system);
+        char advice[256];
+        advise(advice, sizeof advice, d);
+        json_add_string(&b, "test", a->test);
+        json_add_string(&b, "reason", a->reason);
+        json_add_string(&b, "advice", advice);
+        json_add_string(&b, "system", a->system);
         buffer_print(&b, ",\"precision\":%ld", a->precision);
     }
-    write_number(&b, "seconds", d->seconds);
+    json_add_number(&b, "seconds", d->seconds);
     if (certificate)
-        write_string(&b, "certificate", certificate);
+        json_add_string(&b, "certificate", certificate);
     buffer_print(&b, "}");
     puts(b.failed ? "{}" : b.bytes);
     buffer_clear(&b);
@@ -155,23 +163,25 @@ void prove_write_log(buffer *b, const decision *d)
 {
     for (int i = 0; i < d->findings.attempt_count; i++) {
         const attempt *a = &d->findings.attempts[i];
-        buffer_print(b, "{\"valence\":%ld", d->valence);
-        write_string(b, "test", a->test);
-        write_string(b, "system", a->system);
+        buffer_print(b, "{");
+        write_valences(b, d->k);
+        json_add_string(b, "test", a->test);
+        json_add_string(b, "system", a->system);
         buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
-        write_string(b, "outcome", outcome_name(a->outcome));
-        write_number(b, "bound", a->bound);
+        json_add_string(b, "outcome", outcome_name(a->outcome));
+        json_add_number(b, "bound", a->bound);
         if (!isnan(a->error))
-            write_number(b, "error", a->error);
-        write_number(b, "seconds", a->seconds);
-        write_string(b, "reason", a->reason);
+            json_add_number(b, "error", a->error);
+        json_add_number(b, "seconds", a->seconds);
+        json_add_string(b, "reason", a->reason);
         buffer_print(b, "}\n");
     }
     if (d->findings.uniform) {
-        buffer_print(b, "{\"valence\":%ld", d->valence);
-        write_string(b, "test", "both methods");
+        buffer_print(b, "{");
+        write_valences(b, d->k);
+        json_add_string(b, "test", "both methods");
         write_levels(b, &d->findings);
-        write_string(b, "outcome", verdict_name(d->verdict));
+        json_add_string(b, "outcome", verdict_name(d->verdict));
         buffer_print(b, "}\n");
     }
 }

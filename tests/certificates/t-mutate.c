@@ -139,7 +139,7 @@ static void follow_choices(judge *j, const trial *t)
     findings_init(&f);
     choices_init(&c);
     MUST(certificate_read(&c, &line, &j->scheme, t->certificate.bytes, t->certificate.length));
-    CHECK(line == 0 && c.valence == t->valence && (c.claim != CLAIM_C1) == t->from->not_c1, "accepted, but the prover reads line %ld otherwise", line);
+    CHECK(line == 0 && c.k.first == t->valence && c.k.last == t->valence && (c.claim != CLAIM_C1) == t->from->not_c1, "accepted, but the prover reads line %ld otherwise", line);
     take_regular_part(j, &c);
     if (!test_failed())
         CHECK(analysis_replay_grid(&f, &c, &plan, c.grid) == OUTCOME_TRUE, "accepted, but not by the prover: %s", findings_last(&f)->reason);

@@ -290,7 +290,11 @@ answer usage-two-claims 2 'twice' --scheme "$scheme" --valence 7 --claim c1 --cl
 answer usage-unknown 2 'unknown' --quick
 answer usage-no-value 2 'value' --scheme
 answer usage-list 2 'valence' --scheme "$scheme" --valence 3,7 --claim c1 "$good"
-answer usage-range 2 'valence' --scheme "$scheme" --valence 3..7 --claim c1 "$good"
+answer usage-range 1 ':18: valence: expected 3..7' --scheme "$scheme" --valence 3..7 --claim c1 "$good"
+answer usage-range-of-one 0 '^verified' --scheme "$scheme" --valence 7,7..7 --claim c1 "$good"
+answer usage-range-backward 2 'valence' --scheme "$scheme" --valence 7..3 --claim c1 "$good"
+answer usage-range-of-inf 2 'valence' --scheme "$scheme" --valence inf..inf --claim c1 "$good"
+answer usage-all 1 'valence: expected 3..inf' --scheme "$scheme" --valence all --claim c1 "$good"
 answer usage-small 2 'valence' --scheme "$scheme" --valence 2 --claim c1 "$good"
 answer usage-large 2 'valence' --scheme "$scheme" --valence 99999999999999999999 --claim c1 "$good"
 answer usage-not-c1 1 'expected not-c1' --scheme "$scheme" --valence 7 --claim not-c1 "$good"
@@ -300,7 +304,8 @@ answer usage-help 0 'Usage' --help
 answer usage-version 0 'smoothcert-check' --version
 answer usage-end 0 '^verified' --scheme "$scheme" --valence 7 --claim c1 -- "$good"
 answer file-missing 2 'opened' --scheme "$scheme" --valence 7 --claim c1 "$work/none"
-answer file-folder 2 'read' --scheme "$scheme" --valence 7 --claim c1 "$work"
+mkdir "$work/empty"
+answer file-folder 1 'empty is about valence 7' --scheme "$scheme" --valence 7 --claim c1 "$work/empty"
 answer file-scheme-missing 2 'opened' --scheme "$work/none" --valence 7 --claim c1 "$good"
 if [ -c /dev/zero ]; then
   answer file-endless 2 'bytes' --scheme "$scheme" --valence 7 --claim c1 /dev/zero

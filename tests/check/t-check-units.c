@@ -672,7 +672,8 @@ static struct value value_at(const char *text, int k)
 {
     static struct language l = { .file = "formula" };
     struct cursor c = { "formula", 1, text, text, text + strlen(text) };
-    struct environment e = environment_make(&l, k, -1, -1, -1, 64);
+    struct environment e = environment_make(&l, k < 0 ? NOTHING : span_of(k), NOTHING,
+                                            NOTHING, 64);
     struct value out = evaluate(formula_read(&c, &l, k > 0 ? MEANS_K : 0), &e);
 
     cursor_expect_end(&c);

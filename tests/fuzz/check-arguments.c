@@ -18,10 +18,13 @@ static void read_them(void *argument)
 {
     struct input *in = argument;
     struct arguments *a = allocate(1, sizeof *a);
+    struct claim *claim = allocate(1, sizeof *claim);
 
     read_arguments(a, in->count, in->argument);
-    for (int i = 0; i < a->ranges; i++)
-        if (a->range[i][0] < 3 || a->range[i][1] < a->range[i][0] || a->range[i][1] > 1000000000)
+    claim_read(claim, a->valence);
+    for (int i = 0; i < claim->count; i++)
+        if (claim->span[i].first < 3 || claim->span[i].last < claim->span[i].first ||
+            (i > 0 && claim->span[i].first <= claim->span[i - 1].last))
             abort();
 }
 

@@ -65,14 +65,12 @@ static void check(void *argument)
 {
     const struct input *in = argument;
     const char *scheme = find_line(in->text, "scheme "), *claim = find_line(in->text, "claim ");
-    const char *valence = find_line(in->text, "valence ");
-    long long k = valence ? strtoll(valence + 8, NULL, 10) : 3;
 
     scheme = scheme ? strchr(scheme, '\n') : NULL;
     checker_set_file("scheme", scheme ? scheme + 1 : NULL, scheme && claim > scheme ? (size_t)(claim - scheme - 1) : 0);
     checker_set_file("certificate", in->text, in->size);
     check_certificate(statement_new("scheme", NULL, 0, claim && strncmp(claim, "claim not", 9) == 0),
-                      k < 3 || k > 1000000000 ? 3 : k, "certificate");
+                      check_valences("certificate"), "certificate");
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)

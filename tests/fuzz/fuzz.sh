@@ -74,7 +74,7 @@ seed() { # TARGET FOLDER
       for file in "$2"/line-*; do tr -d '\n' <"$file" >"$file.seed" && rm "$file"; done
       ;;
     valences)
-      for list in 3 3..20 3..7,20 5,4,9..12 3..100000 1000000000 7..5 , ..; do printf %s "$list" >"$2/list-$list"; done
+      for list in 3 3..20 3..7,20 5,4,9..12 3..100000 3..inf all 1000000000 7..5 , ..; do printf %s "$list" >"$2/list-$list"; done
       ;;
     check-arguments)
       printf '%s\n' --scheme=x --valence=3..7,20 --claim=c1 file >"$2/one"

@@ -137,7 +137,7 @@ figures() {
 
 archives() {
   expect archive 0 '; evidence/valence-5.cert' prove loop --valence 3,5 --out evidence
-  contents archive-contents evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log
+  contents archive-contents evidence index journal lock runs scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log verify.sh
   sed -e 's/#.*//' -e 's/^ *//' -e 's/  */ /g' -e 's/ *$//' -e '/^$/d' "$loop" >canonical
   same archive-scheme evidence/scheme.scheme canonical
   "$SMOOTHCERT_CHECK" --scheme evidence/scheme.scheme --valence 5 --claim c1 evidence/valence-5.cert >stdout 2>stderr
@@ -145,7 +145,7 @@ archives() {
   cp evidence/valence-5.cert before
   expect archive-again 0 'proved' prove loop --valence 5,6 --out evidence
   same archive-same-bytes evidence/valence-5.cert before
-  contents archive-grows evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
+  contents archive-grows evidence index journal lock runs scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log verify.sh
 
   expect default-archive 0 '; smoothcert-loop/valence-4.cert' prove loop --valence 4
   expect default-archive-of-settings 0 '; smoothcert-modified-loop,a=7_8/valence-4.cert' prove modified-loop --set a=7/8 --valence 4
@@ -158,7 +158,7 @@ archives() {
 
   sed 's/^scheme .*/scheme other/' "$loop" >other.scheme
   expect other-scheme 65 'evidence holds evidence for another scheme' prove other.scheme --valence 3 --out evidence
-  contents other-scheme-changes-nothing evidence index scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log
+  contents other-scheme-changes-nothing evidence index journal lock runs scheme.scheme valence-3.cert valence-3.log valence-5.cert valence-5.log valence-6.cert valence-6.log verify.sh
   cp evidence/valence-3.cert before
   expect undecided-archive 2 'undecided' prove butterfly --valence 5,7 --max-level 1 --max-precision 0 --out undecided
   [ -s undecided/valence-5.log ] && [ ! -e undecided/valence-5.cert ]
@@ -184,11 +184,16 @@ archives() {
   rm -rf evidence by-file smoothcert-loop smoothcert-modified-loop,a=7_8 undecided canonical before respaced.scheme other.scheme
 }
 
-# Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here.
+# Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here, a
+# midpoint scheme of high degree has large ones.
 patience() {
   if command -v timeout >/dev/null 2>&1; then
     timeout -s KILL 60 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --time-limit 1 --out none >stdout 2>stderr
     status=$? wanted=2 message='undecided: kobbelt at valence 1000000000; ' name=time-limit
+    judge
+    # One square of a matrix of this size takes longer than that, with balls.
+    timeout -s KILL 30 "$SMOOTHCERT" prove midpoint --set degree=40 --valence 5 --precision 1024 --time-limit 1 --out none >stdout 2>stderr
+    status=$? wanted=2 message='no time left' name=time-limit-one-matrix
     judge
     timeout -s INT -k 60 1 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --out none >stdout 2>stderr
     status=$?
@@ -204,7 +209,8 @@ bad_places() {
   echo file >file
   expect out-is-a-file 74 'file' prove loop --valence 3 --out file
   expect out-below-a-file 74 'file/below' prove loop --valence 3 --out file/below
-  expect out-nowhere 74 'no/where' prove loop --valence 3 --out no/where
+  expect out-several-deep 0 'several/levels//deep/valence-3.cert' prove loop --valence 3 --out several/levels//deep
+  rm -rf several
   mkdir sealed
   chmod a-w sealed
   if (: >sealed/try) 2>/dev/null; then
@@ -217,9 +223,10 @@ bad_places() {
   chmod u+w sealed
   rm -rf sealed file
   # A name in the archive is taken by a directory: nothing can be stored there.
-  mkdir -p taken/valence-3.cert
+  "$SMOOTHCERT" prove loop --valence 4 --out taken >stdout 2>stderr
+  mkdir taken/valence-3.cert
   expect certificate-cannot-be-stored 74 'taken' prove loop --valence 3 --out taken
-  contents certificate-cannot-be-stored-leaves-no-rest taken scheme.scheme valence-3.cert valence-3.log
+  contents certificate-cannot-be-stored-leaves-no-rest taken index journal lock runs scheme.scheme valence-3.cert valence-3.log valence-4.cert valence-4.log verify.sh
   rm -rf taken
   if [ -c /dev/full ]; then
     for arguments in --help --version schemes 'schemes loop' 'schemes --help' 'prove --help' 'prove loop --valence 3,4 --out none'; do

@@ -272,8 +272,8 @@ bool basis_has(const struct basis *b, enum element_kind kind, int i, int j)
 
 static void add_multiple(struct pair *sum, interval weight, struct pair v, int g)
 {
-    sum->x = interval_add(sum->x, grid_mul(weight, v.x, g));
-    sum->y = interval_add(sum->y, grid_mul(weight, v.y, g));
+    affine_add_multiple(&sum->x, weight, &v.x, g);
+    affine_add_multiple(&sum->y, weight, &v.y, g);
 }
 
 /* First along y1 for each y2, then along y2. */

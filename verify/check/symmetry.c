@@ -29,7 +29,7 @@ static bool is_constant(rational *out, const struct node *f, const struct langua
     if (f->meaning != 0 || f->kind == NODE_AND || f->kind == NODE_OR ||
         f->kind == NODE_COMPARISON)
         return false;
-    e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
+    e = environment_plain(l, CONSTANT_GRID);
     v = evaluate(f, &e);
     *out = v.q;
     return v.kind == RATIONAL;
@@ -77,7 +77,7 @@ static bool is_monomial(const struct node *f, char join, struct value *constant,
         return true;
     }
     if (f->meaning == 0) {
-        struct environment e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
+        struct environment e = environment_plain(l, CONSTANT_GRID);
         struct value v = evaluate(f, &e);
 
         value_apply(constant, join, &v, f, CONSTANT_GRID);

@@ -1,0 +1,289 @@
+/* command_show.c: what a certificate says, in words. */
+#define _GNU_SOURCE /* getopt_long */
+#include "command.h"
+
+#include "command_certificates.h"
+#include "command_scheme.h"
+#include "examine.h"
+#include "json.h"
+
+#include "../bigfloat/ball.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const char help[] =
+    "Usage: smoothcert show [OPTION]... CERTIFICATE|DIRECTORY...\n"
+    "Explains certificates in words: what they claim, by which choices, and whether these prove it.\n"
+    "\n"
+    "  --digits N   of the eigenvalue (1 to 3000; default 20)\n"
+    "  --json       one JSON object per certificate and line\n"
+    "  --help       this text\n"
+    "\n"
+    "Exit status: 0, 65 if a certificate is damaged or does not prove its claim.  Those of old formats are not\n"
+    "followed here.  Whoever does not want to trust this program asks smoothcert-check.\n";
+
+typedef struct {
+    long digits;
+    bool json;
+    examine_subject subject;
+    int result;
+} show_run;
+
+/* ---- figures ---- */
+
+/* L with its enclosure, or |L| by its square: text to be freed, NULL: no memory. */
+static char *print_number(const integer *middle, const eigenpair_choice *e, int digits)
+{
+    ball x, radius;
+    char *text;
+    ball_init(&x);
+    ball_init(&radius);
+    ball_set_integer_2exp(&x, middle, -e->grid, e->grid + 64);
+    ball_set_integer_2exp(&radius, &e->radius, -e->grid, e->grid + 64);
+    ball_add_error(&x, &x, &radius, e->grid + 64);
+    text = ball_get_decimal(&x, digits);
+    ball_clear(&x);
+    ball_clear(&radius);
+    return text;
+}
+
+static void print_eigenvalue(buffer *text, const choices *c, int digits)
+{
+    const eigenpair_choice *e = &c->eigenpair;
+    char *re = print_number(&e->approximation[e->n - 1 - e->complex_form], e, digits), *im = NULL;
+    if (e->complex_form)
+        im = print_number(&e->approximation[e->n - 1], e, digits);
+    if (!re || (e->complex_form && !im))
+        text->failed = true;
+    else if (e->complex_form)
+        buffer_print(text, "(%s) + i (%s)", re, im);
+    else
+        buffer_print(text, "%s", re);
+    free(re);
+    free(im);
+}
+
+typedef struct {
+    long leaves;
+    int depth;
+} tree_size;
+
+/* All trees of the word, one after the other: each split has as many children as elements have. */
+static tree_size measure(const tree_word *w, int children)
+{
+    tree_size z = {0, 0};
+    int open[TREE_MAX_DEPTH + 2], depth = 0; /* children that are still to come, on each level */
+    for (size_t i = 0; i < w->length; i++) {
+        if (w->letter[i] == TREE_SPLIT && depth <= TREE_MAX_DEPTH) {
+            open[depth++] = children;
+            z.depth = depth > z.depth ? depth : z.depth;
+            continue;
+        }
+        z.leaves++;
+        while (depth && --open[depth - 1] == 0)
+            depth--;
+    }
+    return z;
+}
+
+/* ---- in words ---- */
+
+static void say_regular(const choices *c)
+{
+    printf("  regular mesh    C1: the powers %d, %d, %d of the second difference schemes have norms below 1\n", c->contraction[0], c->contraction[1], c->contraction[2]);
+    if (c->plainly_regular) {
+        printf("  vertex          regular, and no rule holds there: nothing else is to be proved\n");
+        return;
+    }
+    printf("  stability       values and derivatives of limits are at most");
+    for (int i = 0; i < 3; i++)
+        printf("%s %.6g", i ? "," : "", (double)c->stability[i].bound / 1024);
+    printf(" times the control values\n");
+}
+
+static void say_spectrum(const choices *c, const char *eigenvalue)
+{
+    const eigenpair_choice *e = &c->eigenpair;
+    printf("  eigenvalue      L = %s\n", eigenvalue);
+    printf("                  simple; of block %ld (%s form, order %d): its nets turn %ld time%s as one goes round once\n", c->frequency,
+           c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
+    if (c->blocks.count == 0)
+        return;
+    printf("  the others      are smaller, by powers of the blocks (first..last: power):");
+    for (size_t i = 0; i < c->blocks.count && i < 6; i++) {
+        const cover_box *b = &c->blocks.box[i];
+        if (b->m.first == b->m.last)
+            printf("%s %ld: %d", i ? "," : "", b->m.first, b->power);
+        else
+            printf("%s %ld..%ld: %d", i ? "," : "", b->m.first, b->m.last, b->power);
+    }
+    printf("%s\n", c->blocks.count > 6 ? " ..." : "");
+}
+
+static void say_tree(const char *what, const tree_word *w, int children, const char *why)
+{
+    tree_size size = measure(w, children);
+    printf("  %-15s on %ld elements, subdivided at most %d time%s: %s\n", what, size.leaves, size.depth, size.depth == 1 ? "" : "s", why);
+}
+
+static void say_witness(const witness_choice *w, const char *what)
+{
+    printf("  witness         %s on element %d%s%s\n", what, w->element, w->depth ? ", descendant " : "", w->depth ? w->path : "");
+}
+
+static void say_evidence(const choices *c)
+{
+    switch (c->claim) {
+    case CLAIM_C1:
+        say_tree("regularity", &c->regularity, 4, "the Jacobian of the characteristic map is positive");
+        say_tree("injectivity", &c->boundary, 2, "the outer curve of a sector stays in one half-plane");
+        break;
+    case CLAIM_FREQUENCY:
+        say_tree("no zero", &c->boundary, 2, "the eigenfunction has no zero on the outer curve, and another frequency than 1");
+        break;
+    case CLAIM_NOT_C0:
+        say_witness(&c->witness[0], "the eigenfunction of an eigenvalue beyond 1 is not 0");
+        break;
+    case CLAIM_FOLD:
+        say_witness(&c->witness[0], "the Jacobian is positive");
+        say_witness(&c->witness[1], "the Jacobian is negative");
+        break;
+    default:
+        break;
+    }
+}
+
+static void say_followed(const examination *x)
+{
+    const attempt *last = &x->findings.attempts[x->findings.attempt_count ? x->findings.attempt_count - 1 : 0];
+    if (!x->readable && x->claim.version < STATEMENT_NEWEST_VERSION)
+        printf("  followed        not here: %s\n", x->reason);
+    else if (!x->readable)
+        printf("  followed        no: line %ld: %s\n", x->line, x->reason);
+    else if (x->followed == OUTCOME_TRUE)
+        printf("  followed        yes: with these choices every step of the specification holds\n");
+    else
+        printf("  followed        no: %s: %s\n", last->test ? last->test : "start", last->reason);
+}
+
+static void say(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
+{
+    char claim[160];
+    const scheme *s = &r->subject.scheme;
+    if (!x->claim.scheme) {
+        printf("%s: line %ld: %s\n", file, x->line, x->reason);
+        return;
+    }
+    examine_print_claim(claim, sizeof claim, x, r->subject.made ? s->name : "the scheme");
+    printf("%s: %s%s\n", file, x->followed == OUTCOME_TRUE ? "" : "claims that ", claim);
+    printf("  certificate     format %d, %zu bytes, SHA-256 %s\n", x->claim.version, x->bytes.length, x->digest);
+    if (r->subject.made)
+        printf("  scheme          %s, on a %s mesh; its text is in the certificate\n", s->name, mesh_name(s->mesh));
+    printf("  arithmetic      exact, in units of 2^-%ld\n", x->claim.grid);
+    if (x->followed == OUTCOME_TRUE) {
+        say_regular(&x->choices);
+        if (!x->choices.plainly_regular && eigenvalue) {
+            say_spectrum(&x->choices, eigenvalue);
+            say_evidence(&x->choices);
+        }
+    }
+    say_followed(x);
+}
+
+static void say_json(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
+{
+    char valences[VALENCE_RANGE_TEXT] = "";
+    buffer b;
+    buffer_init(&b);
+    buffer_print(&b, "{\"holds\":%s", x->followed == OUTCOME_TRUE ? "true" : "false");
+    json_add_string(&b, "certificate", file);
+    json_add_string(&b, "sha256", x->digest);
+    if (x->claim.scheme) {
+        valence_range_print(valences, x->claim.valences);
+        json_add_string(&b, "scheme", r->subject.made ? r->subject.scheme.name : "");
+        json_add_string(&b, "valence", valences);
+        json_add_string(&b, "claim", x->claim.c1 ? "c1" : "not-c1");
+        buffer_print(&b, ",\"format\":%d,\"grid\":%ld", x->claim.version, x->claim.grid);
+    }
+    if (x->followed == OUTCOME_TRUE && eigenvalue) {
+        json_add_string(&b, "eigenvalue", eigenvalue);
+        buffer_print(&b, ",\"frequency\":%ld", x->choices.frequency);
+    }
+    if (!x->readable)
+        buffer_print(&b, ",\"line\":%ld", x->line);
+    if (!x->readable)
+        json_add_string(&b, "trouble", x->reason);
+    buffer_print(&b, "}");
+    puts(b.failed ? "{}" : b.bytes);
+    buffer_clear(&b);
+}
+
+/* ---- one after the other ---- */
+
+static int show_certificate(const char *file, void *data)
+{
+    show_run *r = data;
+    examination x;
+    buffer eigenvalue;
+    int result = 0;
+    examination_init(&x);
+    buffer_init(&eigenvalue);
+    if (!examine_read(&x, file)) {
+        result = complain_of_file(file);
+    } else if (!examine(&x, &r->subject, NULL)) {
+        result = complain_of_memory();
+    } else {
+        if (x.readable && !x.choices.plainly_regular && x.choices.eigenpair.n > 0)
+            print_eigenvalue(&eigenvalue, &x.choices, (int)r->digits);
+        if (eigenvalue.failed)
+            result = complain_of_memory();
+        else
+            (r->json ? say_json : say)(&x, r, file, eigenvalue.bytes);
+        if (x.followed != OUTCOME_TRUE && (!x.claim.scheme || x.claim.version == STATEMENT_NEWEST_VERSION))
+            r->result = EXIT_BAD_INPUT;
+    }
+    buffer_clear(&eigenvalue);
+    examination_clear(&x);
+    return result;
+}
+
+static int read_options(show_run *r, int argc, char **argv)
+{
+    static const struct option known[] = {{"digits", required_argument, NULL, 'd'}, {"json", no_argument, NULL, 'J'}, {"help", no_argument, NULL, 'h'}, {NULL, 0, NULL, 0}};
+    opterr = 0;
+    for (int option; (option = getopt_long(argc, argv, "", known, NULL)) != -1;) {
+        switch (option) {
+        case 'd':
+            if (!read_long_option(&r->digits, optarg, 1, 3000))
+                return complain(EXIT_USAGE, "--digits: expected a number from 1 to 3000, found '%s'", optarg);
+            break;
+        case 'J':
+            r->json = true;
+            break;
+        case 'h':
+            fputs(help, stdout);
+            return finish_output(0);
+        default:
+            return complain(EXIT_USAGE, "show: unknown option or missing value at '%s'; see 'smoothcert show --help'", argv[optind - 1]);
+        }
+    }
+    if (optind == argc)
+        return complain(EXIT_USAGE, "show: no certificate given; see 'smoothcert show --help'");
+    return -1;
+}
+
+int command_show(int argc, char **argv)
+{
+    show_run r = {.digits = 20};
+    int result = read_options(&r, argc, argv);
+    if (result >= 0)
+        return result;
+    examine_subject_init(&r.subject);
+    result = 0;
+    for (int i = optind; result == 0 && i < argc; i++)
+        result = for_each_certificate(argv[i], show_certificate, &r);
+    examine_subject_clear(&r.subject);
+    return finish_output(result ? result : r.result);
+}
