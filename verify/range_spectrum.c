@@ -203,13 +203,14 @@ static outcome prove_side(const context *c, int64_t start, int64_t end, size_t *
 
 outcome range_window_spectrum(findings *f, choices *c, const scheme *s, const number *scale, bool replay, long prec)
 {
-    const context z = {f, c, s, scale, replay, prec};
+    const context z = {f, c, s, scale, NULL, replay, prec};
     size_t at = 0;
     outcome o;
     if (!replay) {
         cover_list_clear(&c->blocks);
         span_list_clear(&c->spans);
-    } else if (c->blocks.count != 1 || c->blocks.box[0].m.first != 0 || c->blocks.box[0].m.last != 0) {
+        c->has_limit = false;
+    } else if (c->has_limit || c->blocks.count != 1 || c->blocks.box[0].m.first != 0 || c->blocks.box[0].m.last != 0) {
         return findings_explain(f, OUTCOME_FALSE, "there should be a box of block 0");
     }
     o = prove_plain(&z);
