@@ -3,13 +3,15 @@
 BENCHES = \
   bench/bigfloat \
   bench/spectrum \
-  bench/prove
+  bench/prove \
+  bench/check
 
 EXTRA_PROGRAMS += $(BENCHES)
 CLEANFILES += $(BENCHES)
 
-# bench/prove runs the program itself.
+# These run the programs themselves.
 bench_prove_LDADD =
+bench_check_LDADD =
 
 # These compare with MPFR and FLINT where there are any.
 bench_bigfloat_LDADD = $(BIGFLOAT_LIBS) $(ORACLE_LIBS) $(SMOOTHCERT_LIBS)

@@ -48,10 +48,10 @@ static void atan_thin(ball *z, const ball *x, long prec)
     limb_t *w = ball_scratch_new(&space, 2 * (n + 1));
     angle y = {w, n, 0};
     draft a = {w ? w + n + 1 : NULL, false, 0, 0};
-    ok = w && (inverse ? angle_set_inverse(&y, x) : (angle_set(&y, x), true)) && fraction_atan(&a, &y);
+    ok = w && (inverse ? fraction_angle_set_inverse(&y, x) : (fraction_angle_set(&y, x), true)) && fraction_atan(&a, &y);
     if (ok && inverse) {
         angle b = {a.w, n, 0};
-        ok = angle_complement(&b);
+        ok = fraction_angle_complement(&b);
         a.err += b.wrong;
     }
     if (ok)

@@ -32,7 +32,7 @@ static int compare_magnitudes(const dyadic *x, const dyadic *y)
     return 0;
 }
 
-int dyadic_compare(const dyadic *x, const dyadic *y)
+int ball_dyadic_compare(const dyadic *x, const dyadic *y)
 {
     int s = x->n == 0 ? 0 : x->negative ? -1 : 1, t = y->n == 0 ? 0 : y->negative ? -1 : 1;
     if (s != t)
@@ -74,7 +74,7 @@ static int compare_endpoints(const ball *x, bool x_upper, const ball *y, bool y_
         dyadic a, b;
         ball_endpoint(&a, w, x, x_upper);
         ball_endpoint(&b, w + m, y, y_upper);
-        order = dyadic_compare(&a, &b);
+        order = ball_dyadic_compare(&a, &b);
     }
     ball_scratch_free(&space);
     return order;
@@ -243,7 +243,7 @@ static int compare_with_rational(const ball *x, bool upper, const rational *q)
         if (a.n == 0 || (a.n >= m ? limb_multiply(product, a.w, a.n, d, m) : limb_multiply(product, d, m, a.w, a.n))) {
             a.n = a.n ? limb_normal(product, a.n + m) : 0;
             a.w = product;
-            order = dyadic_compare(&a, &p);
+            order = ball_dyadic_compare(&a, &p);
         }
     }
     ball_scratch_free(&space);

@@ -100,7 +100,7 @@ typedef struct {
 } dyadic;
 
 /* -1, 0, 1: the order of two dyadic numbers; high zero limbs are not allowed in w. */
-int dyadic_compare(const dyadic *x, const dyadic *y);
+int ball_dyadic_compare(const dyadic *x, const dyadic *y);
 /* The endpoint m - err (upper = false) or m + err, in w, which has room for ball_length(x) + 1 limbs. */
 void ball_endpoint(dyadic *d, limb_t *w, const ball *x, bool upper);
 

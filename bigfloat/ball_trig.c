@@ -26,7 +26,7 @@ static bool sin_cos_angle(draft *s, draft *c, angle *y)
         return fraction_cos(c, y);
     if (angle_zeros(y) >= fraction_halvings(y->n))
         return fraction_sin_small(s, y);
-    return angle_complement(y) && fraction_cos(s, y);
+    return fraction_angle_complement(y) && fraction_cos(s, y);
 }
 
 static void store_draft(ball *z, const draft *d, size_t n, bool negative, long prec)
@@ -44,7 +44,7 @@ static int64_t try_sin_cos(ball *s, ball *c, const ball *x, size_t n, long prec)
     unsigned turn;
     bool minus, negative = x->size < 0;
     int64_t answer = -1;
-    if (w && angle_reduce(&y, &turn, &minus, x)) {
+    if (w && fraction_angle_reduce(&y, &turn, &minus, x)) {
         bool odd = turn & 1, lower = turn & 2, sine = odd ? c != NULL : s != NULL, cosine = odd ? s != NULL : c != NULL;
         answer = (int64_t)limbs_needed(prec, sine ? (int64_t)angle_zeros(&y) + 2 : 2, n);
         draft sin_y = {w + n + 1, false, 0, 0}, cos_y = {w + 2 * (n + 1), false, 0, 0};
@@ -169,7 +169,7 @@ void ball_trig_of_turns(ball *z, const rational *t, bool of_sine, bool negative,
     limb_t *w = ball_scratch_new(&space, 2 * (n + 1));
     angle y = {w, n, 0};
     draft d = {w ? w + n + 1 : NULL, false, 0, 0};
-    if (w && angle_of_turns(&y, t) && sin_cos_angle(of_sine ? &d : NULL, of_sine ? NULL : &d, &y))
+    if (w && fraction_angle_of_turns(&y, t) && sin_cos_angle(of_sine ? &d : NULL, of_sine ? NULL : &d, &y))
         store_draft(z, &d, n, negative, prec);
     else
         ball_no_memory(z);

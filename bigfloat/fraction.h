@@ -41,14 +41,14 @@ static inline size_t angle_zeros(const angle *x) { return 64 * x->n - limb_bit_l
 
 /* x = |m| 2^e, e the exponent of `of` and m its mantissa, not 0, |x| < 2^top, is q pi/2 + y or q pi/2 - y (*minus) with
    y about pi/4 at most; *turn = q modulo 4.  x.w has n + 1 limbs. */
-bool angle_reduce(angle *x, unsigned *turn, bool *minus, const ball *of);
+bool fraction_angle_reduce(angle *x, unsigned *turn, bool *minus, const ball *of);
 /* x = |m| 2^e, and 1 / (|m| 2^e), below 2; m != 0. */
-void angle_set(angle *x, const ball *of);
-bool angle_set_inverse(angle *x, const ball *of);
+void fraction_angle_set(angle *x, const ball *of);
+bool fraction_angle_set_inverse(angle *x, const ball *of);
 /* x becomes pi/2 - x; x < pi/2 */
-bool angle_complement(angle *x);
+bool fraction_angle_complement(angle *x);
 /* pi t for a rational 0 <= t < 1 */
-bool angle_of_turns(angle *x, const rational *t);
+bool fraction_angle_of_turns(angle *x, const rational *t);
 
 /* Below 2^-fraction_halvings(n) an angle is small: sine and cosine have their own series. */
 size_t fraction_halvings(size_t n);

@@ -60,24 +60,24 @@ static bool subtract_turns(angle *x, unsigned *turn, bool *minus, const ball *of
     return ok;
 }
 
-void angle_set(angle *x, const ball *of)
+void fraction_angle_set(angle *x, const ball *of)
 {
     x->wrong = to_fixed(x->w, x->n + 1, x->n, of); /* ROUNDING: the floor of x */
 }
 
-bool angle_reduce(angle *x, unsigned *turn, bool *minus, const ball *of)
+bool fraction_angle_reduce(angle *x, unsigned *turn, bool *minus, const ball *of)
 {
     int64_t top = ball_top(of);
     *turn = 0;
     *minus = false;
     if (top >= 0)
         return subtract_turns(x, turn, minus, of, (size_t)(top + 63) / 64);
-    angle_set(x, of);
+    fraction_angle_set(x, of);
     return true;
 }
 
 /* floor(2^(64 n - e) / |m|) */
-bool angle_set_inverse(angle *x, const ball *of)
+bool fraction_angle_set_inverse(angle *x, const ball *of)
 {
     int64_t d = 64 * (int64_t)x->n - of->exponent;
     size_t size = ball_length(of), length = d < 0 ? 0 : (size_t)d / 64 + 1;
@@ -98,7 +98,7 @@ bool angle_set_inverse(angle *x, const ball *of)
     return ok;
 }
 
-bool angle_complement(angle *x)
+bool fraction_angle_complement(angle *x)
 {
     ball_scratch space;
     limb_t *P = ball_scratch_new(&space, x->n + 1);
@@ -112,7 +112,7 @@ bool angle_complement(angle *x)
 }
 
 /* floor(pi B^n) p / q, wrong by less than 2 t ulp before it is cut */
-bool angle_of_turns(angle *x, const rational *t)
+bool fraction_angle_of_turns(angle *x, const rational *t)
 {
     const integer *p = &t->numerator, *q = &t->denominator;
     size_t n = x->n, np = (size_t)p->size, nq = (size_t)q->size, N = n + 1;

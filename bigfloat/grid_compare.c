@@ -17,7 +17,7 @@ static int compare(const grid *x, bool x_upper, const grid *y, bool y_upper)
     if (x->exponent == y->exponent)
         return integer_cmp(x_upper ? &x->upper : &x->lower, y_upper ? &y->upper : &y->lower);
     dyadic a = endpoint(x, x_upper), b = endpoint(y, y_upper);
-    return dyadic_compare(&a, &b);
+    return ball_dyadic_compare(&a, &b);
 }
 
 truth grid_is_positive(const grid *x)

@@ -49,6 +49,22 @@ static INTERVAL_NOINLINE void dot_plain(interval *z, const interval *x, const in
     add_four(z, sum);
 }
 
+/* The first `columns` of them. */
+static INTERVAL_NOINLINE void columns_plain(interval *z, const interval *x, const interval *y, size_t n, size_t columns, bool negative)
+{
+    for (size_t l = 0; l < n; l++)
+        for (size_t j = 0; j < columns; j++)
+            if (negative)
+                interval_submul(&z[j], &x[l], &y[l * n + j], 0);
+            else
+                interval_addmul(&z[j], &x[l], &y[l * n + j], 0);
+}
+
+static void row_plain(interval *z, const interval *x, const interval *y, size_t n, bool negative)
+{
+    columns_plain(z, x, y, n, n, negative);
+}
+
 #if BATCH_AVX512
 /* ---- four at a time: a vector holds (a0 b0 a1 b1 a2 b2 a3 b3) with a = -inf, b = sup ---- */
 
@@ -173,6 +189,39 @@ AVX static INTERVAL_NOINLINE void dot_avx(interval *z, const interval *x, const 
     add_four(z, sum);
 }
 
+/* Endpoints up to here: no sum of four is infinite. */
+#define TAME 0x1p1000
+
+/* Columns 0 to 3 of a row, those that the mask has two bits for.  false: not done, some endpoint is too large. */
+AVX static inline bool row4_avx(interval *z, const interval *x, const interval *y, size_t n, __mmask8 columns, bool negative)
+{
+    const __m512d minus = _mm512_set1_pd(-0.0);
+    __m512d sum = _mm512_maskz_loadu_pd(columns, &z->neg_lower), largest = _mm512_setzero_pd();
+    for (size_t l = 0; l < n; l++) {
+        __m512d cd = _mm512_maskz_loadu_pd(columns, &y[l * n].neg_lower), cc = _mm512_movedup_pd(cd), dd = _mm512_permute_pd(cd, 0xff);
+        __m512d ab = _mm512_broadcast_f64x2(_mm_loadu_pd(&x[l].neg_lower)), ba = swapped(ab);
+        __m512d p = _mm512_mul_round_pd(ab, dd, UP), q = _mm512_mul_round_pd(ba, cc, UP);
+        __m512d r = _mm512_mul_round_pd(_mm512_xor_pd(ab, minus), cc, UP);
+        __m512d s = _mm512_mul_round_pd(_mm512_xor_pd(ba, minus), dd, UP);
+        __m512d t = _mm512_max_pd(_mm512_max_pd(p, q), _mm512_max_pd(r, s));
+        sum = _mm512_add_round_pd(sum, negative ? swapped(t) : t, UP);
+        largest = _mm512_max_pd(largest, _mm512_max_pd(ab, cd));
+    }
+    if (_mm512_cmp_pd_mask(largest, _mm512_set1_pd(TAME), _CMP_LE_OQ) != 0xff)
+        return false;
+    _mm512_mask_storeu_pd(&z->neg_lower, columns, sum);
+    return true;
+}
+
+AVX static INTERVAL_NOINLINE void row_avx(interval *z, const interval *x, const interval *y, size_t n, bool negative)
+{
+    for (size_t j = 0; j < n; j += 4) {
+        size_t count = n - j < 4 ? n - j : 4;
+        if (INTERVAL_UNLIKELY(!row4_avx(z + j, x, y + j, n, (__mmask8)((1u << 2 * count) - 1), negative)))
+            columns_plain(z + j, x, y + j, n, count, negative);
+    }
+}
+
 static bool has_avx512(void) { return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"); }
 #define BEST(f) (has_avx512() ? f##_avx : f##_plain)
 #else
@@ -195,3 +244,4 @@ void interval_batch_axpy(interval *z, const interval *x, const interval *c, size
     run(BEST(axpy), z, x, &copy, n);
 }
 void interval_batch_dot(interval *z, const interval *x, const interval *y, size_t n) { run(BEST(dot), z, x, y, n); }
+void interval_batch_row(interval *z, const interval *x, const interval *y, size_t n, bool negative) { BEST(row)(z, x, y, n, negative); }

@@ -18,4 +18,8 @@ void interval_batch_axpy(interval *z, const interval *x, const interval *c, size
 /* *z = the sum of x[i] y[i].  The order of summation is fixed, but not from left to right. */
 void interval_batch_dot(interval *z, const interval *x, const interval *y, size_t n);
 
+/* z[j] += the sum of x[l] y[l n + j] over l < n (-= if negative), j < n, one l after the other: a row times an n x n matrix.
+   In a region only.  z must not overlap x or y. */
+void interval_batch_row(interval *z, const interval *x, const interval *y, size_t n, bool negative);
+
 #endif

@@ -20,6 +20,7 @@ BIGFLOAT_SOURCES = \
   bigfloat/rational_text.c \
   \
   bigfloat/number_common.h bigfloat/number_array.h \
+  bigfloat/cosines.h bigfloat/cosines.c \
   \
   bigfloat/ball.h bigfloat/ball_internal.h bigfloat/ball_fixed.h \
   bigfloat/ball.c \
@@ -65,5 +66,19 @@ BIGFLOAT_SOURCES = \
 
 EXTRA_DIST += bigfloat/errors.md bigfloat/errors-trig.md
 
-noinst_LIBRARIES += libbigfloat.a
+lib_LIBRARIES += libbigfloat.a
 libbigfloat_a_SOURCES = $(BIGFLOAT_SOURCES)
+
+# What a program outside needs of it: <bigfloat/ball.h> and its like, and the flags to compile with.
+nobase_include_HEADERS = \
+  bigfloat/truth.h \
+  bigfloat/integer.h bigfloat/rational.h \
+  bigfloat/number_common.h bigfloat/number_array.h \
+  bigfloat/ball.h bigfloat/complex_ball.h \
+  bigfloat/interval.h bigfloat/interval_batch.h \
+  bigfloat/grid.h \
+  bigfloat/number.h bigfloat/jet.h bigfloat/number_jet.h
+pkgconfigdir = $(libdir)/pkgconfig
+pkgconfig_DATA = bigfloat/bigfloat.pc
+examplesdir = $(docdir)/examples
+dist_examples_DATA = bigfloat/example.c

@@ -6,7 +6,8 @@
    closed set of real numbers that is an interval, at worst the *indeterminate* one: the whole line.
    NUMBER_NAME(f) is f_interval, f_ball or f_grid: name every external function of such a source with it.
    (With NUMBER_JET, too, `number` is a jet of them: bigfloat/number_jet.h; with NUMBER_AFFINE an affine one:
-   bigfloat/number_affine.h.)
+   bigfloat/number_affine.h.  With NUMBER_COSINES it is an exact number of a real cyclotomic field, and only what blocks
+   need is there: bigfloat/cosines.h.)
 
    In the contracts below x, y, r are any numbers of the sets given; each operation yields a set that contains
    the result for EVERY choice of them.  Nothing fails: division by a set that contains 0, the root of a set
@@ -49,8 +50,8 @@
 #ifndef BIGFLOAT_NUMBER_H
 #define BIGFLOAT_NUMBER_H
 
-#if defined(NUMBER_INTERVAL) + defined(NUMBER_BALL) + defined(NUMBER_GRID) != 1
-#error "define exactly one of NUMBER_INTERVAL, NUMBER_BALL, NUMBER_GRID"
+#if defined(NUMBER_INTERVAL) + defined(NUMBER_BALL) + defined(NUMBER_GRID) + defined(NUMBER_COSINES) != 1
+#error "define exactly one of NUMBER_INTERVAL, NUMBER_BALL, NUMBER_GRID, NUMBER_COSINES"
 #endif
 
 #if defined(NUMBER_INTERVAL)
@@ -65,6 +66,9 @@
 #define NUMBER_JET_TYPE jet_ball
 #define NUMBER_AFFINE_TYPE affine_ball
 #define NUMBER_SYSTEM_NAME "ball"
+#elif defined(NUMBER_COSINES)
+#include "cosines.h"
+#define NUMBER_BASE_TYPE cosines
 #else
 #include "grid.h"
 #define NUMBER_BASE_TYPE grid

@@ -1,6 +1,8 @@
 /* block.c: unknowns, the nets they stand for, and the matrix, column by column. */
 #include "block.h"
 
+#include "stop.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -106,20 +108,22 @@ block_status block_from_subdivide(subdivide_status s)
 
 static block_status fill(block *z, sector_net *net, number *unit, const number *zero, const scheme_numbers *numbers)
 {
-    for (int j = 0; j < z->n; j++) {
+    subdivision once;
+    subdivide_status s = subdivision_make(&once, numbers, net->regular, net->rings, z->rings);
+    bool stopped = false;
+    for (int j = 0; s == SUBDIVIDE_OK && !stopped && j < z->n; j++) {
         sector_net image;
-        subdivide_status s;
         for (int i = 0; i < z->n; i++)
             number_set_si(&unit[i], i == j, numbers->prec);
         block_net(net, z, unit, zero, numbers->prec);
-        s = scheme_subdivide(&image, net, numbers, z->rings);
+        s = subdivision_apply(&image, net, &once);
         if (s == SUBDIVIDE_OK)
             read_column(z, j, &image);
         sector_net_free(&image);
-        if (s != SUBDIVIDE_OK)
-            return block_from_subdivide(s);
+        stopped = stop_now();
     }
-    return BLOCK_OK;
+    subdivision_free(&once);
+    return stopped ? BLOCK_STOPPED : block_from_subdivide(s);
 }
 
 /* u = NULL: as the frequencies say. */
@@ -145,7 +149,7 @@ static block_status make(block *z, scheme_numbers *numbers, frequencies m, const
     z->last = m.last;
     z->k = numbers->k;
     z->mesh = numbers->scheme->mesh;
-    z->rings = scheme_closed_rings(numbers->scheme);
+    z->rings = numbers->rings;
     twist_init(&z->twist);
     z->unknowns = malloc((size_t)(sector_size(z->rings) + 1) * sizeof *z->unknowns);
     if (z->unknowns)

@@ -3,7 +3,7 @@
 #ifndef LIB_BLOCK_H
 #define LIB_BLOCK_H
 
-#include "step.h"
+#include "subdivision.h"
 
 #define block_make NUMBER_NAME(block_make)
 #define block_make_range NUMBER_NAME(block_make_range)
@@ -40,7 +40,7 @@ typedef struct {
 
 /* 0 <= m <= k/2, for one valence; for several, m = 0.  Sets the frequency of `numbers`.  In the real form (only for mirror-symmetric schemes) if `real`.
    On any status block_free. */
-typedef enum { BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_CENTRE_RULE, BLOCK_BAD_INPUT, BLOCK_NO_MEMORY } block_status;
+typedef enum { BLOCK_OK, BLOCK_OPPOSITE, BLOCK_NO_CENTRE_RULE, BLOCK_BAD_INPUT, BLOCK_STOPPED /* lib/stop.h */, BLOCK_NO_MEMORY } block_status;
 block_status block_make(block *z, scheme_numbers *numbers, long m, bool real, diagnostic *d);
 /* All blocks of a range; 0 is in no range but its own. */
 block_status block_make_range(block *z, scheme_numbers *numbers, frequencies m, bool real, diagnostic *d);

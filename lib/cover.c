@@ -2,6 +2,8 @@
 #include "cover.h"
 
 #include "spectrum.h"
+#include "stop.h"
+#include "stride.h"
 
 #include <math.h>
 
@@ -70,67 +72,42 @@ static void leave_open(cover_answer *z, frequencies m)
     z->proved = false;
 }
 
-static bool stops(cover_answer *z, const cover_stop *stop)
+/* Asked when a box is not proved, perhaps because something gave up on the way. */
+static bool stops(cover_answer *z)
 {
-    if (stop && stop->passed && stop->passed(stop->data)) {
+    if (stop_now()) {
         z->stopped = true;
         z->proved = false;
+        z->status = BLOCK_OK;
     }
     return z->stopped;
-}
-
-/* Boxes grow faster and faster as long as that succeeds; once it has failed they grow more carefully, for what the
-   gap allows changes slowly. */
-typedef struct {
-    double width, growth;
-    bool failed;
-} stride;
-
-#define CAREFUL 1.25
-
-static long clip(double width, long most)
-{
-    return width < 1 ? 1 : width < (double)most ? (long)width : most;
-}
-
-static void after_success(stride *s, long width)
-{
-    s->width = fmax((double)width * s->growth, (double)width + 1);
-    s->growth = s->failed ? fmin(s->growth * 1.1, 2) : fmin(s->growth * 1.5, 16);
-}
-
-static void after_failure(stride *s, long width)
-{
-    s->width = (double)width / fmax(s->growth, 1.5);
-    s->growth = CAREFUL;
-    s->failed = true;
 }
 
 cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_limits *limits, diagnostic *d)
 {
     cover_answer z = {.status = BLOCK_OK, .proved = true};
-    stride s = {1, 2, false};
+    stride s = stride_start(1);
     long failures = 0, skip = 1; /* failures in a row leave more and more open */
     while (m.first <= m.last) {
-        long width = clip(s.width, m.last - m.first + 1);
+        long width = stride_width(&s, m.last - m.first + 1);
         frequencies here = {m.first, m.first + width - 1};
-        if (stops(&z, &limits->stop)) {
+        box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
+        bool proved = b.answer.contracts == TRUTH_TRUE;
+        if (!proved && stops(&z)) {
             z.open = z.open.first ? z.open : here;
             return z;
         }
-        box_answer b = prove_box(numbers, here, scale, 0, limits->power, limits->sharpen, d);
-        bool proved = b.answer.contracts == TRUTH_TRUE;
         z.tries++;
         z.status = b.status;
         if (b.status != BLOCK_OK)
             return z;
         if (!proved && width > 1 && z.tries < limits->tries) {
-            after_failure(&s, width);
+            stride_after_failure(&s, (double)width);
             continue;
         }
         z.exhausted = z.tries >= limits->tries && !proved;
         if (proved) {
-            after_success(&s, width);
+            stride_after_success(&s, (double)width);
             note_radius(&z, &b, here);
             skip = 1;
         } else {
@@ -138,12 +115,12 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
             if (z.tries >= limits->tries)
                 here.last = m.last;
             else
-                here.last = m.first + clip((double)skip, m.last - m.first + 1) - 1;
+                here.last = skip < m.last - m.first + 1 ? m.first + skip - 1 : m.last;
             leave_open(&z, here);
             if (failures++ == limits->open)
                 return z;
             skip *= 2;
-            s = (stride){1, 2, false};
+            s = stride_start(1);
         }
         if (!cover_list_add(list, here, proved ? b.answer.power : COVER_OPEN)) {
             z.status = BLOCK_NO_MEMORY;
@@ -154,7 +131,7 @@ cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const numbe
     return z;
 }
 
-cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_stop *stop, diagnostic *d)
+cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d)
 {
     cover_answer z = {.status = BLOCK_OK, .proved = true};
     if (!cover_list_partitions(list, m)) {
@@ -164,13 +141,13 @@ cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const
     for (size_t i = 0; i < list->count; i++) {
         const cover_box *box = &list->box[i];
         box_answer b;
-        if (stops(&z, stop))
-            return z;
         if (box->power < 0) {
             leave_open(&z, box->m);
             continue;
         }
         b = prove_box(numbers, box->m, scale, box->power, box->power, false, d);
+        if (b.answer.contracts != TRUTH_TRUE && stops(&z))
+            return z;
         z.tries++;
         z.status = b.status;
         if (b.status != BLOCK_OK)

@@ -23,14 +23,8 @@ typedef struct {
     long largest;        /* the first frequency of the box for which radius was needed */
     long tries;          /* of boxes */
     bool exhausted;      /* all that the limits allow: more tries might prove more */
-    bool stopped;        /* because the caller said so: what is behind the last box is unknown, and nothing is proved */
+    bool stopped;        /* lib/stop.h: what is behind the last box is unknown, and nothing is proved */
 } cover_answer;
-
-/* Asked before each box: is there no time left?  NULL: there always is. */
-typedef struct {
-    bool (*passed)(const void *data);
-    const void *data;
-} cover_stop;
 
 /* How long cover_search looks. */
 typedef struct {
@@ -38,7 +32,6 @@ typedef struct {
     long open;  /* it goes on behind a frequency that fails, this often; 0: it stops there */
     int power;
     bool sharpen; /* some more work for a smaller radius */
-    cover_stop stop;
 } cover_limits;
 
 /* Finds a list of boxes for 1 <= first <= m <= last <= k/2 such that cover_verify proves that all eigenvalues of their
@@ -46,7 +39,7 @@ typedef struct {
    only if it has stopped at a failure the list ends there.  The list is the caller's and empty before. */
 cover_answer cover_search(cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_limits *limits, diagnostic *d);
 
-/* Proves it with the boxes and powers given, which must partition the range and leave nothing open.  stop may be NULL. */
-cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, const cover_stop *stop, diagnostic *d);
+/* Proves it with the boxes and powers given, which must partition the range and leave nothing open. */
+cover_answer cover_verify(const cover_list *list, scheme_numbers *numbers, const number *scale, frequencies m, diagnostic *d);
 
 #endif

@@ -2,6 +2,7 @@
 #include "eigen_approx.h"
 
 #include "schur_approx.h"
+#include "stop.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -48,6 +49,8 @@ static bool invert(double *inverse, double *a, int n)
         inverse[i] = i % (n + 1) == 0;
     for (int c = 0; c < n; c++) {
         int p = c;
+        if (stop_now())
+            return false;
         for (int i = c + 1; i < n; i++)
             if (fabs(a[i * n + c]) > fabs(a[p * n + c]))
                 p = i;

@@ -6,6 +6,8 @@
 #include "eigenpair.h"
 
 #include "eigen_approx.h"
+#include "matrix_row.h"
+#include "stop.h"
 
 #include <limits.h>
 #include <math.h>
@@ -20,6 +22,7 @@ typedef struct {
     number *residual;      /* n */
     number *derivative;    /* n x n */
     number *inverse;       /* n x n */
+    number *row;           /* n, scratch */
     number *image;         /* n: Krawczyk operator minus the approximation */
 } workspace;
 
@@ -34,8 +37,9 @@ static bool workspace_make(workspace *w, const number *b, int n, bool complex_fo
     w->residual = number_array_new((size_t)n);
     w->derivative = number_array_new(square);
     w->inverse = number_array_new(square);
+    w->row = number_array_new((size_t)n);
     w->image = number_array_new((size_t)n);
-    return w->approximation && w->residual && w->derivative && w->inverse && w->image;
+    return w->approximation && w->residual && w->derivative && w->inverse && w->row && w->image;
 }
 
 static void free_numbers(number *a, size_t count)
@@ -51,6 +55,7 @@ static void workspace_free(workspace *w)
     free_numbers(w->residual, n);
     free_numbers(w->derivative, n * n);
     free_numbers(w->inverse, n * n);
+    free_numbers(w->row, n);
     free_numbers(w->image, n);
 }
 
@@ -149,27 +154,34 @@ static void differentiate(workspace *w, const number *x, long prec)
         }
 }
 
-/* image = -Y F(approximation) + (I - Y F') [-radius, radius]. */
+/* image = -Y F(approximation). */
+static void newton(workspace *w, long prec)
+{
+    for (int i = 0; i < w->n; i++) {
+        number_zero(&w->image[i]);
+        for (int l = 0; l < w->n; l++)
+            number_submul(&w->image[i], &w->inverse[i * w->n + l], &w->residual[l], prec);
+    }
+}
+
+/* image = -Y F(approximation) + (I - Y F') [-radius, radius]; indeterminate if there is no time for it. */
 static void krawczyk(workspace *w, const number *radius, long prec)
 {
-    number sum, spread;
-    number_init(&sum);
+    number spread;
     number_init(&spread);
     number_add_error(&spread, &spread, radius, prec);
+    newton(w, prec);
     for (int i = 0; i < w->n; i++) {
-        const number *row = &w->inverse[i * w->n];
-        number *k = &w->image[i];
-        number_zero(k);
         for (int l = 0; l < w->n; l++)
-            number_submul(k, &row[l], &w->residual[l], prec);
-        for (int l = 0; l < w->n; l++) {
-            number_set_si(&sum, i == l, prec);
-            for (int q = 0; q < w->n; q++)
-                number_submul(&sum, &row[q], &w->derivative[q * w->n + l], prec);
-            number_addmul(k, &sum, &spread, prec);
+            number_set_si(&w->row[l], i == l, prec);
+        matrix_add_row(w->row, &w->inverse[i * w->n], w->derivative, w->n, true, prec);
+        for (int l = 0; l < w->n; l++)
+            number_addmul(&w->image[i], &w->row[l], &spread, prec);
+        if (stop_now()) {
+            number_indeterminate(&w->image[w->n - 1]);
+            break;
         }
     }
-    number_clear(&sum);
     number_clear(&spread);
 }
 
@@ -210,26 +222,44 @@ static truth is_inside(const workspace *w, const number *radius)
     return inside;
 }
 
-truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec)
+/* Proves it for a box of `size` units round what is loaded. */
+static truth prove_loaded(number *box, workspace *w, const eigenpair_choice *choice, const integer *size, long prec)
+{
+    number radius;
+    truth proved;
+    number_init(&radius);
+    number_set_integer_2exp(&radius, size, -choice->grid, prec);
+    make_box(box, w, &radius, prec);
+    evaluate(w, w->approximation, prec);
+    differentiate(w, box, prec);
+    krawczyk(w, &radius, prec);
+    proved = is_inside(w, &radius);
+    number_clear(&radius);
+    return proved;
+}
+
+static truth prove(number *box, const eigenpair_choice *choice, const integer *size, const number *b, long prec)
 {
     workspace w;
-    number radius;
     truth proved = TRUTH_FALSE;
     if (choice->complex_form && (choice->n % 2 || choice->pivot >= choice->n / 2))
         return TRUTH_UNKNOWN; /* a choice that somebody else made */
-    number_init(&radius);
     if (workspace_make(&w, b, choice->n, choice->complex_form, choice->pivot)) {
         load(&w, choice, prec);
-        number_set_integer_2exp(&radius, &choice->radius, -choice->grid, prec);
-        make_box(box, &w, &radius, prec);
-        evaluate(&w, w.approximation, prec);
-        differentiate(&w, box, prec);
-        krawczyk(&w, &radius, prec);
-        proved = is_inside(&w, &radius);
+        proved = prove_loaded(box, &w, choice, size, prec);
     }
     workspace_free(&w);
-    number_clear(&radius);
     return proved;
+}
+
+truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec)
+{
+    return prove(box, choice, &choice->radius, b, prec);
+}
+
+truth eigenpair_prove_range(number *box, const eigenpair_choice *choice, const number *b, long prec)
+{
+    return prove(box, choice, &choice->range, b, prec);
 }
 
 /* ---- the search ---- */
@@ -302,17 +332,14 @@ static long largest_bits(const workspace *w, long unit, long prec)
 static long improve(workspace *w, long unit, long prec)
 {
     long size;
-    number zero;
-    number_init(&zero);
     evaluate(w, w->approximation, prec);
-    krawczyk(w, &zero, prec);
+    newton(w, prec);
     size = largest_bits(w, unit, prec);
     for (int l = 0; l < w->n; l++) {
         number *z = &w->approximation[component(w, l)];
         number_add(z, z, &w->image[l], prec);
         number_midpoint(z, z, prec);
     }
-    number_clear(&zero);
     return size;
 }
 
@@ -327,13 +354,10 @@ static truth settle(workspace *w, eigenpair_choice *choice, long prec)
         if (!number_mid_grid(&choice->approximation[l], &w->approximation[component(w, l)], choice->grid))
             proved = TRUTH_FALSE;
     if (proved == TRUTH_UNKNOWN) {
-        number zero;
-        number_init(&zero);
         load(w, choice, prec);
         evaluate(w, w->approximation, prec);
-        krawczyk(w, &zero, prec);
+        newton(w, prec);
         bits = largest_bits(w, choice->grid, prec) + 1;
-        number_clear(&zero);
     }
     for (bits = bits < 3 ? 3 : bits; proved == TRUTH_UNKNOWN && bits < choice->grid; bits += 2) {
         integer_set_si(&choice->radius, 1);
@@ -381,6 +405,68 @@ truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex
     }
     workspace_free(&w);
     free(work);
+    return found;
+}
+
+/* ---- the search for a range ---- */
+
+/* At least the largest magnitude in the image, in units of 2^-unit.  false: no memory, or there is none. */
+static bool image_size(integer *size, const workspace *w, long unit, long prec)
+{
+    number one, largest;
+    bool ok;
+    number_init(&one);
+    number_init(&largest);
+    for (int l = 0; l < w->n; l++) {
+        number_magnitude_upper(&one, &w->image[l], prec);
+        number_max(&largest, &largest, &one, prec);
+    }
+    ok = number_upper_grid(size, &largest, unit);
+    number_clear(&one);
+    number_clear(&largest);
+    return ok;
+}
+
+/* x = 17/16 x, rounded upward. */
+static bool enlarge(integer *x)
+{
+    integer part;
+    bool ok;
+    integer_init(&part);
+    ok = integer_cdiv_2exp(&part, x, 4) && integer_add(x, x, &part);
+    integer_clear(&part);
+    return ok;
+}
+
+/* The image of a box that is too small says how large it has to be at least. */
+static truth grow_range(workspace *w, eigenpair_choice *z, number *box, long prec)
+{
+    truth proved = TRUTH_UNKNOWN;
+    if (!integer_set(&z->range, &z->radius))
+        return TRUTH_FALSE;
+    while (proved == TRUTH_UNKNOWN && (long)integer_bits(&z->range) < z->grid) {
+        if (!enlarge(&z->range))
+            return TRUTH_FALSE;
+        proved = prove_loaded(box, w, z, &z->range, prec);
+        if (proved == TRUTH_UNKNOWN && !image_size(&z->range, w, z->grid, prec))
+            return number_lacks_memory(&w->image[0]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    }
+    return proved;
+}
+
+truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
+{
+    workspace w;
+    number *box = number_array_new(eigenpair_box_size(z->n, z->complex_form));
+    truth found = TRUTH_FALSE;
+    if (workspace_make(&w, b, z->n, z->complex_form, z->pivot) && box) {
+        load(&w, z, prec);
+        found = all_are_finite(b, (size_t)z->n * (size_t)z->n);
+        if (found == TRUTH_TRUE)
+            found = grow_range(&w, z, box, prec);
+    }
+    workspace_free(&w);
+    free_numbers(box, eigenpair_box_size(z->n, z->complex_form));
     return found;
 }
 

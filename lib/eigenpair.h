@@ -19,7 +19,9 @@
 #include "eigenpair_choice.h"
 
 #define eigenpair_choose NUMBER_NAME(eigenpair_choose)
+#define eigenpair_choose_range NUMBER_NAME(eigenpair_choose_range)
 #define eigenpair_prove NUMBER_NAME(eigenpair_prove)
+#define eigenpair_prove_range NUMBER_NAME(eigenpair_prove_range)
 #define eigenpair_modulus NUMBER_NAME(eigenpair_modulus)
 
 /* Looks for the dominant eigenpair (largest modulus) of the n x n matrix b and for a box round it that eigenpair_prove
@@ -35,6 +37,13 @@ static inline size_t eigenpair_box_size(int n, bool complex_form) { return (size
    box receives enclosures of them, in the order above.  TRUTH_UNKNOWN: not proved, and box is no enclosure of anything.
    TRUTH_FALSE: no memory. */
 truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number *b, long prec);
+
+/* The same with the radius choice->range. */
+truth eigenpair_prove_range(number *box, const eigenpair_choice *choice, const number *b, long prec);
+
+/* Looks for a z->range, not much larger than need be and z->radius at least, with which eigenpair_prove_range accepts b, a
+   wider matrix than the choice was made for.  The answers are those of eigenpair_choose. */
+truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec);
 
 /* z encloses the modulus of the eigenvalue in a box for matrices of order n. */
 void eigenpair_modulus(number *z, const number *box, int n, bool complex_form, long prec);

@@ -8,6 +8,7 @@ void eigenpair_choice_init(eigenpair_choice *z)
 {
     memset(z, 0, sizeof *z);
     integer_init(&z->radius);
+    integer_init(&z->range);
 }
 
 static integer *new_integers(int count)
@@ -40,5 +41,6 @@ void eigenpair_choice_clear(eigenpair_choice *z)
     free_integers(z->approximation, z->n);
     free_integers(z->inverse, z->n * z->n);
     integer_clear(&z->radius);
+    integer_clear(&z->range);
     eigenpair_choice_init(z);
 }

@@ -11,9 +11,10 @@ typedef struct {
     int n;                  /* order of the real matrix */
     bool complex_form;      /* it stands for a complex matrix of order n / 2 (lib/eigenpair.h) */
     int pivot;              /* the component of the eigenvector that is fixed to 1, from 0; complex form: below n / 2 */
-    long grid;              /* approximation and radius are in units of 2^-grid */
+    long grid;              /* approximation, radius and range are in units of 2^-grid */
     integer *approximation; /* n: the other components in order, then the eigenvalue, then its imaginary part */
     integer radius;         /* of the box in every unknown, > 0 */
+    integer range;          /* of the box for all matrices of an affine one, >= radius; 0: there is none (lib/eigenpair_affine.h) */
     integer *inverse;       /* n x n preconditioner, row by row, in units of 2^-EIGENPAIR_INVERSE_BITS */
 } eigenpair_choice;
 

@@ -1,10 +1,10 @@
-/* eigenpair_slope.c: the linear system for the derivative, with the preconditioner of the proof. */
+/* eigenpair_slope.c: the linear system for the slopes, with the preconditioner of the proof. */
 #include "eigenpair_slope.h"
 
 typedef struct {
     int n, pivot;
     number *e; /* 1 - Y G */
-    number *s; /* -Y b' x */
+    number *s; /* -Y d x */
     number *y;
     number *scratch;
 } workspace;
@@ -21,7 +21,7 @@ static void load(workspace *w, const eigenpair_choice *choice, long prec)
         number_set_integer_2exp(&w->y[i], &choice->inverse[i], -EIGENPAIR_INVERSE_BITS, prec);
 }
 
-/* scratch = b' x, s = -Y scratch. */
+/* scratch = d x, s = -Y scratch. */
 static void make_constant(workspace *w, const number *box, const number *b_slope, long prec)
 {
     int n = w->n;
@@ -62,56 +62,33 @@ static void make_defect(workspace *w, const number *box, const number *b, long p
     }
 }
 
-/* bound >= |s| / (1 - |E|), thin.  false: |E| < 1 is not certain. */
-static bool first_bound(number *bound, const workspace *w, long prec)
+/* bound >= |s| / (1 - |E|), thin; size[i] = the norm of row i of E.  false: |E| < 1 is not certain. */
+static bool first_bound(number *bound, number *size, const workspace *w, long prec)
 {
     int n = w->n;
     bool ok;
-    number norm, sum, size, one;
+    number norm, part;
     number_init(&norm);
-    number_init(&sum);
-    number_init(&size);
-    number_init(&one);
+    number_init(&part);
     number_zero(bound);
-    number_one(&one);
     for (int i = 0; i < n; i++) {
-        number_zero(&sum);
+        number_zero(&size[i]);
         for (int l = 0; l < n; l++) {
-            number_magnitude_upper(&size, &w->e[i * n + l], prec);
-            number_add(&sum, &sum, &size, prec);
+            number_magnitude_upper(&part, &w->e[i * n + l], prec);
+            number_add(&size[i], &size[i], &part, prec);
         }
-        number_max(&norm, &norm, &sum, prec);
-        number_magnitude_upper(&size, &w->s[i], prec);
-        number_max(bound, bound, &size, prec);
+        number_max(&norm, &norm, &size[i], prec);
+        number_magnitude_upper(&part, &w->s[i], prec);
+        number_max(bound, bound, &part, prec);
     }
-    number_sub(&norm, &one, &norm, prec);
+    number_one(&part);
+    number_sub(&norm, &part, &norm, prec);
     ok = number_is_positive(&norm) == TRUTH_TRUE;
     number_div(bound, bound, &norm, prec);
     number_upper(bound, bound, prec);
     number_clear(&norm);
-    number_clear(&sum);
-    number_clear(&size);
-    number_clear(&one);
+    number_clear(&part);
     return ok;
-}
-
-#define IMPROVEMENTS 3
-
-/* slope = s + E slope, as often as it helps. */
-static void improve(number *slope, workspace *w, long prec)
-{
-    int n = w->n;
-    for (int step = 0; step < IMPROVEMENTS; step++) {
-        for (int i = 0; i < n; i++) {
-            number_set(&w->scratch[i], &w->s[i]);
-            for (int l = 0; l < n; l++)
-                number_addmul(&w->scratch[i], &w->e[i * n + l], &slope[component(w, l)], prec);
-        }
-        for (int i = 0; i < n; i++) {
-            number *z = &slope[component(w, i)];
-            number_intersection(z, z, &w->scratch[i], prec);
-        }
-    }
 }
 
 truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, long prec)
@@ -126,15 +103,14 @@ truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *
         load(&w, choice, prec);
         make_constant(&w, box, b_slope, prec);
         make_defect(&w, box, b, prec);
-        found = first_bound(&bound, &w, prec) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+        found = first_bound(&bound, w.scratch, &w, prec) ? TRUTH_TRUE : TRUTH_UNKNOWN;
     }
     if (found == TRUTH_TRUE) {
-        for (int j = 0; j <= n; j++) {
-            number_zero(&slope[j]);
-            if (j != w.pivot)
-                number_add_error(&slope[j], &slope[j], &bound, prec);
+        number_zero(&slope[w.pivot]);
+        for (int i = 0; i < n; i++) {
+            number_mul(&w.scratch[i], &w.scratch[i], &bound, prec);
+            number_add_error(&slope[component(&w, i)], &w.s[i], &w.scratch[i], prec);
         }
-        improve(slope, &w, prec);
         if (number_lacks_memory(&slope[n]))
             found = TRUTH_FALSE;
     }

@@ -6,15 +6,19 @@
 
 #define eigenpair_slope NUMBER_NAME(eigenpair_slope)
 
-/* Let b(u) be a differentiable family of n x n matrices, all of them in the enclosure b, their derivatives in b_slope, and
-   let eigenpair_prove(box, choice, b) have answered TRUTH_TRUE.  Then b(u) has one pair (x(u), L(u)) in the box, both
-   differentiable; slope receives enclosures of x'(u) (the pivot's is 0) and then L'(u) for all u: n + 1 numbers.
+/* Let b(u) be a family of n x n matrices, all of them in the enclosure b, and b(u) - b(v) in b_slope (u - v) for all u and v
+   (as when b_slope encloses the derivatives), and let eigenpair_prove(box, choice, b) have answered TRUTH_TRUE.  Then b(u)
+   has one pair (x(u), L(u)) in the box; slope receives, for n + 1 numbers (the pivot's is 0), enclosures of
+   (x(u) - x(v)) / (u - v) and then of (L(u) - L(v)) / (u - v), and so of derivatives.
    TRUTH_UNKNOWN: none was found.  TRUTH_FALSE: no memory.
 
-   Proof.  The equations F(z, u) = b(u) x - L x = 0, z = (x without x_pivot, L), have a derivative G by z that is
-   non-singular in the box, so z(u) is differentiable and G z' + b'(u) x = 0.  With the preconditioner Y and E = 1 - Y G
-   hence z' = s + E z', s = -Y b' x.  If |E| <= q < 1 in the row sum norm, |z'| <= |s| / (1 - q) in the maximum norm;
-   putting an enclosure of z' into the right-hand side gives another one. */
+   Proof.  Let s and l be these quotients, d that of the matrices, in b_slope.  b(u) x(u) = L(u) x(u) and the same at v give
+
+       (b(u) - L(u)) s - l x(v) = -d x(v),        s_pivot = 0,
+
+   n equations for s and l with a matrix in G, the derivative of the equations on the box, and a right-hand side in -b_slope x.  With
+   the preconditioner Y and E = 1 - Y G hence z = (s, l) = -Y d x + E z, and if |E| <= e < 1 in the row sum norm, |z| <= w = |Y d x| / (1 - e) in
+   the maximum norm; then z_i lies in (-Y d x)_i +- w (the sum of |E_ij| over j).  (verify/certificate-valences.md, section 3.) */
 truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, long prec);
 
 #endif

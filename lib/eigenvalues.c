@@ -1,408 +1,70 @@
-/* eigenvalues.c: a basis from doubles, improved if the precision asks for it; then Gershgorin. */
+/* eigenvalues.c: Gershgorin's discs, component by component.  lib/eigenvalues.md has the proof. */
 #include "eigenvalues.h"
 
-#include "matrix_row.h"
-#include "schur_approx.h"
+#include "components.h"
+#include "eigenbasis.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-/* Eigenvalues closer than this, relative to the largest entry, share a group. */
-#define GROUP_DISTANCE 0x1p-13
-
-/* b v = v d + r with d block diagonal, one block to a group, so v^-1 b v = d + v^-1 r.  Doubles give v, about v^-1 and d.
-   As r becomes smaller, corrections of v and d are found in doubles, too, 45 bits or so each time: all that is
-   multiplied with many digits is b by doubles.  v and b v are the sums of what the corrections say, in enclosures,
-   so that no rounding need be undone. */
+/* One component of the matrix. */
 typedef struct {
     int n;
-    long prec;
-    const number *re, *im; /* the matrix; im may be NULL */
-    number *zero;          /* stands for its imaginary part then */
-    complex_matrix v;      /* the basis */
-    complex_matrix y;      /* b v */
-    complex_matrix d;      /* thin */
-    complex_matrix m;      /* r, in the end v^-1 b v */
-    complex_matrix t;      /* scratch */
-    double complex *start; /* of the basis */
-    double complex *w;     /* about the inverse of v */
-    double complex *diagonal, *work; /* d; scratch, two matrices */
-    int *group;
-    bool *real;            /* the columns of v that are real */
-    double *scale;         /* powers of two */
-} workspace;
+    int *member;      /* its indices in the matrix */
+    number *re, *im;  /* its entries; im may be NULL */
+    complex_matrix m; /* similar to it */
+    int *group;       /* in m: lib/eigenbasis.h */
+    long *scale;      /* exponents of 2 */
+} part;
 
-static bool workspace_make(workspace *s, const number *b, const number *imaginary, int n, long prec)
+static bool part_make(part *z, int n, bool is_complex)
 {
-    size_t square = (size_t)n * (size_t)n;
-    memset(s, 0, sizeof *s);
-    s->n = n;
-    s->prec = prec;
-    s->re = b;
-    s->im = imaginary;
-    s->zero = number_array_new(imaginary ? 0 : square);
-    s->start = malloc((5 * square + 1) * sizeof *s->start);
-    s->group = malloc(((size_t)n + 1) * sizeof *s->group);
-    s->real = calloc((size_t)n + 1, sizeof *s->real);
-    s->scale = malloc(((size_t)n + 1) * sizeof *s->scale);
-    if (s->start) {
-        s->w = s->start + square;
-        s->diagonal = s->w + square;
-        s->work = s->diagonal + square;
-    }
-    return complex_matrix_make(&s->v, n) && complex_matrix_make(&s->y, n) && complex_matrix_make(&s->d, n) && complex_matrix_make(&s->m, n) && complex_matrix_make(&s->t, n)
-        && s->zero && s->start && s->group && s->real && s->scale;
+    z->n = n;
+    z->member = malloc((size_t)n * sizeof *z->member);
+    z->re = number_array_new((size_t)n * (size_t)n);
+    z->im = is_complex ? number_array_new((size_t)n * (size_t)n) : NULL;
+    z->group = malloc((size_t)n * sizeof *z->group);
+    z->scale = malloc((size_t)n * sizeof *z->scale);
+    return complex_matrix_make(&z->m, n) && z->member && z->re && (!is_complex || z->im) && z->group && z->scale;
 }
 
-static void workspace_free(workspace *s)
+static void part_free(part *z)
 {
-    complex_matrix_free(&s->v);
-    complex_matrix_free(&s->y);
-    complex_matrix_free(&s->d);
-    complex_matrix_free(&s->m);
-    complex_matrix_free(&s->t);
-    number_array_free(s->zero, s->im ? 0 : (size_t)s->n * (size_t)s->n);
-    free(s->start);
-    free(s->group);
-    free(s->real);
-    free(s->scale);
+    number_array_free(z->re, (size_t)z->n * (size_t)z->n);
+    number_array_free(z->im, (size_t)z->n * (size_t)z->n);
+    complex_matrix_free(&z->m);
+    free(z->member);
+    free(z->group);
+    free(z->scale);
 }
 
-/* z = a 2^e. */
-static void load(complex_matrix *z, const double complex *a, long e, long prec)
+/* The entries of the component of `leader`. */
+static void gather(part *z, const number *b, const number *imaginary, const int *component, int leader, int order)
 {
+    for (int i = 0, count = 0; i < order; i++)
+        if (component[i] == leader)
+            z->member[count++] = i;
     for (int i = 0; i < z->n * z->n; i++) {
-        number_set_double(&z->re[i], creal(a[i]), prec);
-        number_set_double(&z->im[i], cimag(a[i]), prec);
-        if (e) {
-            number_mul_2exp(&z->re[i], &z->re[i], e, prec);
-            number_mul_2exp(&z->im[i], &z->im[i], e, prec);
-        }
+        int from = z->member[i / z->n] * order + z->member[i % z->n];
+        number_set(&z->re[i], &b[from]);
+        if (imaginary)
+            number_set(&z->im[i], &imaginary[from]);
     }
 }
 
-#define GUARD 32
-
-/* Enough for bounds. */
-#define BOUND_BITS 64
-
-/* For numbers of which so many leading bits matter.  On grids bits are counted from 1, not from the first. */
-static long precision_for(const workspace *s, long bits)
+/* m and its groups: what is alone is its own eigenvalue. */
+static truth diagonalise(part *z, long prec)
 {
-#if defined(NUMBER_GRID)
-    (void)bits;
-    return s->prec;
-#else
-    return bits < s->prec ? bits : s->prec;
-#endif
-}
-
-/* r this far above 2^-prec is left as it is: all of r that its enclosures let one see. */
-#define ENOUGH 12
-
-/* An entry of a column or row that is smaller than this, relative to the largest one, may as well be 0. */
-#define NEGLIGIBLE 1e-9
-
-/* Is the column real but for a common factor?  phase = that factor. */
-static bool is_nearly_real(double complex *phase, const double complex *column, int n)
-{
-    double complex largest = 0;
-    for (int i = 0; i < n; i++)
-        if (cabs(column[i * n]) > cabs(largest))
-            largest = column[i * n];
-    *phase = largest / cabs(largest);
-    for (int i = 0; i < n; i++)
-        if (!(fabs(cimag(column[i * n] / *phase)) <= NEGLIGIBLE * cabs(largest)))
-            return false;
-    return true;
-}
-
-/* Which columns are real but for a factor, in groups of such columns only: they are exactly those that a real matrix maps
-   to real combinations of each other. */
-static void find_real(workspace *s, double complex *phase)
-{
-    int n = s->n;
-    for (int j = 0; j < n; j++)
-        s->real[j] = is_nearly_real(&phase[j], s->start + j, n);
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            if (!s->real[i] && s->group[i] == s->group[j])
-                s->real[j] = false;
-}
-
-/* The basis of a real matrix is a suggestion that costs less where it is real, too. */
-static void make_real(workspace *s)
-{
-    int n = s->n;
-    double complex *phase = s->work;
-    find_real(s, phase);
-    for (int j = 0; j < n; j++) {
-        double largest = 0;
-        bool small = true;
-        if (!s->real[j])
-            continue;
-        for (int i = 0; i < n; i++) {
-            s->start[i * n + j] = creal(s->start[i * n + j] / phase[j]);
-            s->diagonal[i * n + j] /= phase[j];
-            s->w[j * n + i] *= phase[j];
-            s->diagonal[j * n + i] *= phase[j];
-        }
-        for (int i = 0; i < n; i++)
-            largest = fmax(largest, cabs(s->w[j * n + i]));
-        for (int i = 0; i < n; i++)
-            small = small && fabs(cimag(s->w[j * n + i])) <= NEGLIGIBLE * largest;
-        for (int i = 0; small && i < n; i++)
-            s->w[j * n + i] = creal(s->w[j * n + i]);
-    }
-    for (int i = 0; i < n * n; i++)
-        if (s->real[i / n] && s->real[i % n])
-            s->diagonal[i] = creal(s->diagonal[i]);
-}
-
-/* v, w, d and b v from doubles.  TRUTH_UNKNOWN: it does not work. */
-static truth start(workspace *s)
-{
-    int n = s->n;
-    complex_matrix b = {n, (number *)s->re, s->im ? (number *)s->im : s->zero};
-    double largest = 0;
-    for (int i = 0; i < n * n; i++) {
-        s->diagonal[i] = number_mid_approx(&s->re[i]) + (s->im ? number_mid_approx(&s->im[i]) : 0) * I;
-        largest = fmax(largest, cabs(s->diagonal[i]));
-    }
-    if (!block_diagonalise_approx(s->start, s->w, s->group, s->diagonal, n, GROUP_DISTANCE * largest))
-        return TRUTH_UNKNOWN;
-    for (int i = 0; i < n * n; i++)
-        if (s->group[i / n] != s->group[i % n])
-            s->diagonal[i] = 0;
-    if (!s->im)
-        make_real(s);
-    load(&s->v, s->start, 0, s->prec);
-    load(&s->d, s->diagonal, 0, s->prec);
-    complex_matrix_multiply(&s->y, &b, &s->v, s->prec);
+    if (z->n > 1)
+        return eigenbasis_enclose(&z->m, z->group, z->re, z->im, z->n, prec);
+    number_set(&z->m.re[0], &z->re[0]);
+    if (z->im)
+        number_set(&z->m.im[0], &z->im[0]);
+    z->group[0] = 0;
     return TRUTH_TRUE;
 }
 
-/* (re, im) -= (a, b) (c, d). */
-static void subtract_product(number *re, number *im, const number *a, const number *b, const number *c, const number *d, long prec)
-{
-    bool first_real = number_is_zero(b) == TRUTH_TRUE, second_real = number_is_zero(d) == TRUTH_TRUE;
-    number_submul(re, a, c, prec);
-    if (!first_real)
-        number_submul(im, b, c, prec);
-    if (!second_real)
-        number_submul(im, a, d, prec);
-    if (!first_real && !second_real)
-        number_addmul(re, b, d, prec);
-}
-
-/* m = b v - v d. */
-static void find_residual(workspace *s)
-{
-    int n = s->n;
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            int at = i * n + j;
-            number_set(&s->m.re[at], &s->y.re[at]);
-            number_set(&s->m.im[at], &s->y.im[at]);
-            for (int l = 0; l < n; l++)
-                if (s->group[l] == s->group[j])
-                    subtract_product(&s->m.re[at], &s->m.im[at], &s->v.re[i * n + l], &s->v.im[i * n + l], &s->d.re[l * n + j], &s->d.im[l * n + j], s->prec);
-        }
-}
-
-static void multiply_approx(double complex *z, const double complex *x, const double complex *y, int n)
-{
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            double re = 0, im = 0;
-            for (int l = 0; l < n; l++) {
-                double complex p = x[i * n + l], q = y[l * n + j];
-                re += creal(p) * creal(q) - cimag(p) * cimag(q);
-                im += creal(p) * cimag(q) + cimag(p) * creal(q);
-            }
-            z[i * n + j] = re + im * I;
-        }
-}
-
-/* c becomes z with d z - z d = -c outside the groups, in which it stays as it is.  d is nearly a triangle in each group,
-   so what an entry needs lies below it and to its left, and what is left of d there hardly matters. */
-static void solve_approx(double complex *c, const double complex *d, const int *group, int n)
-{
-    for (int i = n - 1; i >= 0; i--)
-        for (int j = 0; j < n; j++) {
-            if (group[i] == group[j])
-                continue;
-            for (int l = i + 1; l < n; l++)
-                if (group[l] == group[i])
-                    c[i * n + j] += d[i * n + l] * c[l * n + j];
-            for (int l = 0; l < j; l++)
-                if (group[l] == group[j])
-                    c[i * n + j] -= c[i * n + l] * d[l * n + j];
-            c[i * n + j] /= d[j * n + j] - d[i * n + i];
-        }
-}
-
-/* z += x. */
-static void add_matrix(complex_matrix *z, const complex_matrix *x, long prec)
-{
-    for (int i = 0; i < z->n * z->n; i++) {
-        number_add(&z->re[i], &z->re[i], &x->re[i], prec);
-        number_add(&z->im[i], &z->im[i], &x->im[i], prec);
-    }
-}
-
-/* c = about 2^shift v^-1 r. */
-static void correction_approx(double complex *c, double complex *scratch, const workspace *s, long shift)
-{
-    number part;
-    number_init(&part);
-    for (int i = 0; i < s->n * s->n; i++) {
-        double re;
-        number_mul_2exp(&part, &s->m.re[i], shift, s->prec);
-        re = number_mid_approx(&part);
-        number_mul_2exp(&part, &s->m.im[i], shift, s->prec);
-        scratch[i] = re + number_mid_approx(&part) * I;
-    }
-    number_clear(&part);
-    multiply_approx(c, s->w, scratch, s->n);
-}
-
-/* d += the part of c 2^-good within the groups, which becomes 0 in c. */
-static void improve_diagonal(workspace *s, double complex *c, double complex *scratch, long good)
-{
-    int n = s->n;
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            bool same = s->group[i] == s->group[j];
-            scratch[i * n + j] = !same ? 0 : s->real[i] && s->real[j] ? creal(c[i * n + j]) : c[i * n + j];
-            if (same)
-                c[i * n + j] = 0;
-        }
-    load(&s->t, scratch, -good, s->prec);
-    add_matrix(&s->d, &s->t, s->prec);
-    complex_matrix_thin(&s->d, s->prec);
-}
-
-/* With c = about v^-1 r 2^good, which is destroyed: d + the part of c within the groups, and v + v z with d z - z d = -c
-   otherwise, leave only what is quadratic in c, or lost in doubles. */
-static void improve(workspace *s, double complex *c, double complex *scratch, long good)
-{
-    int n = s->n;
-    complex_matrix b = {n, (number *)s->re, s->im ? (number *)s->im : s->zero};
-    solve_approx(c, s->diagonal, s->group, n);
-    improve_diagonal(s, c, scratch, good);
-    multiply_approx(scratch, s->start, c, n);
-    for (int i = 0; i < n * n; i++)
-        if (s->real[i % n])
-            scratch[i] = creal(scratch[i]);
-    load(&s->t, scratch, -good, s->prec);
-    add_matrix(&s->v, &s->t, s->prec);
-    complex_matrix_multiply(&s->m, &b, &s->t, precision_for(s, s->prec - good + GUARD));
-    add_matrix(&s->y, &s->m, s->prec);
-}
-
-/* Until r is no larger than rounding, or hardly becomes smaller. */
-#define LEAST_GAIN 4
-
-static void improve_all(workspace *s)
-{
-    long good = 0, next = 0;
-    double complex *c = s->work, *scratch = s->work + s->n * s->n;
-    double norm = 0;
-    for (int i = 0; i < s->n * s->n; i++)
-        norm = fmax(norm, cabs(s->diagonal[i]));
-    for (;;) {
-        double size = 0;
-        find_residual(s);
-        correction_approx(c, scratch, s, good);
-        for (int i = 0; i < s->n * s->n; i++)
-            size = fmax(size, cabs(c[i]));
-        if (!(size > 0) || !isfinite(size) || !(norm > 0))
-            return;
-        next = good - ilogb(size / norm);
-        if (next < good + LEAST_GAIN || next > s->prec - ENOUGH) {
-            improve_diagonal(s, c, scratch, good); /* which costs nothing, and puts discs where they belong */
-            return;
-        }
-        improve(s, c, scratch, good);
-        good = next;
-    }
-}
-
-/* *f >= the row sum norm of (w v)^-1 - 1: with e = |1 - w v| < 1 it is at most e / (1 - e).  false: e is not certainly
-   small. */
-static bool bound_defect(number *f, workspace *s)
-{
-    int n = s->n;
-    long prec = precision_for(s, BOUND_BITS);
-    bool ok;
-    number e, sum, one, size;
-    number_init(&e);
-    number_init(&sum);
-    number_init(&one);
-    number_init(&size);
-    number_one(&one);
-    load(&s->t, s->w, 0, prec);
-    complex_matrix_multiply(&s->y, &s->t, &s->v, prec);
-    for (int i = 0; i < n; i++) {
-        number_zero(&sum);
-        for (int j = 0; j < n; j++) {
-            number *re = &s->y.re[i * n + j];
-            if (i == j)
-                number_sub(re, re, &one, prec);
-            complex_magnitude_upper(&size, re, &s->y.im[i * n + j], prec);
-            number_add(&sum, &sum, &size, prec);
-        }
-        number_max(&e, &e, &sum, prec);
-    }
-    number_sub(f, &one, &e, prec);
-    ok = number_is_positive(f) == TRUTH_TRUE;
-    number_div(f, &e, f, prec);
-    number_clear(&e);
-    number_clear(&sum);
-    number_clear(&one);
-    number_clear(&size);
-    return ok;
-}
-
-/* m = d + v^-1 r.  As v is invertible if w v is, v^-1 r = (w v)^-1 (w r), and each entry of it differs from that of w r by
-   at most f times the largest of the column; no entry of w r is larger than that of |w| |r|.  false: no bound. */
-static bool add_remainder(workspace *s)
-{
-    int n = s->n;
-    long prec = precision_for(s, BOUND_BITS);
-    bool ok;
-    number f, largest;
-    number *size = s->t.im, *bound = s->y.re; /* |r|; |w| |r| */
-    number_init(&f);
-    number_init(&largest);
-    find_residual(s);
-    ok = bound_defect(&f, s);
-    for (int i = 0; ok && i < n * n; i++) {
-        complex_magnitude_upper(&s->t.re[i], &s->t.re[i], &s->t.im[i], prec);
-        complex_magnitude_upper(&size[i], &s->m.re[i], &s->m.im[i], prec);
-        number_zero(&bound[i]);
-    }
-    for (int i = 0; ok && i < n; i++)
-        matrix_add_row(&bound[i * n], &s->t.re[i * n], size, n, false, prec);
-    for (int j = 0; ok && j < n; j++) {
-        number_zero(&largest);
-        for (int i = 0; i < n; i++)
-            number_max(&largest, &largest, &bound[i * n + j], prec);
-        number_mul(&largest, &largest, &f, prec);
-        for (int i = 0; i < n; i++) {
-            number_add(&bound[i * n + j], &bound[i * n + j], &largest, prec);
-            number_add_error(&s->m.re[i * n + j], &s->d.re[i * n + j], &bound[i * n + j], s->prec);
-            number_add_error(&s->m.im[i * n + j], &s->d.im[i * n + j], &bound[i * n + j], s->prec);
-        }
-    }
-    number_clear(&f);
-    number_clear(&largest);
-    return ok;
-}
-
-static double size_of(const workspace *s, int i, int j)
+static double size_of(const part *s, int i, int j)
 {
     double re = fmax(fabs(number_lower_bound(&s->m.re[i * s->n + j])), fabs(number_upper_bound(&s->m.re[i * s->n + j])));
     double im = fmax(fabs(number_lower_bound(&s->m.im[i * s->n + j])), fabs(number_upper_bound(&s->m.im[i * s->n + j])));
@@ -411,17 +73,19 @@ static double size_of(const workspace *s, int i, int j)
 
 /* Within a group of g eigenvalues the entries above the diagonal are of size t, all others of size h: position p of the
    group is scaled by d^p with d = (h / t)^(1/g), which makes both about t d. */
-static void choose_scale(workspace *s)
+static void choose_scale(part *s)
 {
     int n = s->n;
     for (int i = 0; i < n; i++)
-        s->scale[i] = 1;
+        s->scale[i] = 0;
     for (int leader = 0; leader < n; leader++) {
-        double above = 0, other = 0x1p-900, step;
-        int members = 0;
+        double above = 0, other = 0x1p-900;
+        long members = 0, step, exponent = 0;
         if (s->group[leader] != leader)
             continue;
         for (int i = 0; i < n; i++)
+            members += s->group[i] == leader;
+        for (int i = 0; members > 1 && i < n; i++)
             for (int j = 0; j < n; j++)
                 if (i != j && (s->group[i] == leader || s->group[j] == leader)) {
                     if (s->group[i] == s->group[j] && i < j)
@@ -429,47 +93,59 @@ static void choose_scale(workspace *s)
                     else
                         other = fmax(other, size_of(s, i, j));
                 }
-        for (int i = 0; i < n; i++)
-            members += s->group[i] == leader;
-        if (members == 1 || above <= other || !isfinite(above + other))
+        if (!(above > other) || !isfinite(above))
             continue;
-        step = ldexp(1, ilogb(fmax(pow(other / above, 1.0 / members), exp2(-900.0 / members)))); /* so that no power of it underflows */
-        double scale = 1;
+        step = (long)floor((log2(other) - log2(above)) / (double)members);
         for (int i = 0; i < n; i++)
             if (s->group[i] == leader) {
-                s->scale[i] = scale;
-                scale *= step;
+                s->scale[i] = exponent;
+                exponent += step;
             }
     }
 }
 
-/* One disc per row of the scaled matrix: round the midpoint of m_ii. */
-static void make_discs(eigenvalues *z, workspace *s)
+/* *z = the disc of row i of the scaled matrix: round the midpoint of m_ii. */
+static void make_disc(eigenvalue_disc *z, const part *s, int i, long prec)
 {
     int n = s->n;
-    number size, factor;
+    number size;
     number_init(&size);
-    number_init(&factor);
-    for (int i = 0; i < n; i++) {
-        eigenvalue_disc *d = &z->disc[i];
-        number_radius_upper(&d->radius, &s->m.re[i * n + i], s->prec);
-        number_radius_upper(&size, &s->m.im[i * n + i], s->prec);
-        number_add(&d->radius, &d->radius, &size, s->prec);
-        number_midpoint(&d->re, &s->m.re[i * n + i], s->prec);
-        number_midpoint(&d->im, &s->m.im[i * n + i], s->prec);
-        for (int j = 0; j < n; j++) {
-            if (j == i)
-                continue;
-            complex_magnitude_upper(&size, &s->m.re[i * n + j], &s->m.im[i * n + j], s->prec);
-            number_set_double(&factor, s->scale[j] / s->scale[i], s->prec); /* a power of two: exact */
-            number_addmul(&d->radius, &size, &factor, s->prec);
-        }
-        number_upper(&d->radius, &d->radius, s->prec);
-        d->count = 1;
+    number_radius_upper(&z->radius, &s->m.re[i * n + i], prec);
+    number_radius_upper(&size, &s->m.im[i * n + i], prec);
+    number_add(&z->radius, &z->radius, &size, prec);
+    number_midpoint(&z->re, &s->m.re[i * n + i], prec);
+    number_midpoint(&z->im, &s->m.im[i * n + i], prec);
+    for (int j = 0; j < n; j++) {
+        if (j == i)
+            continue;
+        complex_magnitude_upper(&size, &s->m.re[i * n + j], &s->m.im[i * n + j], prec);
+        number_mul_2exp(&size, &size, s->scale[j] - s->scale[i], prec);
+        number_add(&z->radius, &z->radius, &size, prec);
     }
-    z->count = n;
+    number_upper(&z->radius, &z->radius, prec);
+    z->count = 1;
     number_clear(&size);
-    number_clear(&factor);
+}
+
+/* The discs of the component of `leader`, behind those that are there. */
+static truth add_component(eigenvalues *z, const number *b, const number *imaginary, const int *component, int leader, long prec)
+{
+    part s;
+    truth found = TRUTH_FALSE;
+    int n = 0;
+    for (int i = leader; i < z->size; i++)
+        n += component[i] == leader;
+    if (part_make(&s, n, imaginary != NULL)) {
+        gather(&s, b, imaginary, component, leader, z->size);
+        found = diagonalise(&s, prec);
+    }
+    if (found == TRUTH_TRUE) {
+        choose_scale(&s);
+        for (int i = 0; i < n; i++)
+            make_disc(&z->disc[z->count++], &s, i, prec);
+    }
+    part_free(&s);
+    return found;
 }
 
 /* distance >= |difference of the centres|, thin. */
@@ -493,8 +169,8 @@ static bool are_disjoint(const eigenvalue_disc *x, const eigenvalue_disc *y, lon
     number_init(&both);
     number_init(&difference);
     number_add(&both, &x->radius, &y->radius, prec);
-    for (int part = 0; part < 2; part++) {
-        number_sub(&difference, part ? &x->im : &x->re, part ? &y->im : &y->re, prec);
+    for (int side = 0; side < 2; side++) {
+        number_sub(&difference, side ? &x->im : &x->re, side ? &y->im : &y->re, prec);
         number_abs(&difference, &difference);
         disjoint = disjoint || number_less(&both, &difference) == TRUTH_TRUE;
     }
@@ -568,28 +244,36 @@ static int by_falling_modulus(const void *x, const void *y)
     return (a < b) - (a > b);
 }
 
-static truth finish(eigenvalues *z, workspace *s)
+/* TRUTH_FALSE: no memory. */
+static truth are_finite(const eigenvalues *z)
 {
-    make_discs(z, s);
     for (int i = 0; i < z->count; i++)
         if (!number_is_finite(&z->disc[i].radius))
             return number_lacks_memory(&z->disc[i].radius) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-    do
-        merge_discs(z, s->prec);
-    while (!s->im && move_to_axis(z, s->prec));
-    for (int i = 0; i < z->count; i++)
-        z->disc[i].real = !s->im && z->disc[i].count == 1 && number_is_zero(&z->disc[i].im) == TRUTH_TRUE;
-    for (int i = 0; i < z->count; i++)
-        z->disc[i].modulus = hypot(number_mid_approx(&z->disc[i].re), number_mid_approx(&z->disc[i].im));
-    qsort(z->disc, (size_t)z->count, sizeof *z->disc, by_falling_modulus);
     return TRUTH_TRUE;
 }
 
-truth eigenvalues_enclose(eigenvalues *z, const number *b, const number *imaginary, int n, long prec)
+/* Disjoint discs, in order. */
+static truth settle(eigenvalues *z, bool is_real, long prec)
 {
-    workspace s;
-    truth found = TRUTH_FALSE;
-    bool made = workspace_make(&s, b, imaginary, n, prec);
+    truth finite = are_finite(z);
+    if (finite != TRUTH_TRUE)
+        return finite;
+    do
+        merge_discs(z, prec);
+    while (is_real && move_to_axis(z, prec));
+    for (int i = 0; i < z->count; i++) {
+        eigenvalue_disc *d = &z->disc[i];
+        bool settles = d->count == 1 || number_is_zero(&d->radius) == TRUTH_TRUE;
+        d->real = is_real && settles && number_is_zero(&d->im) == TRUTH_TRUE;
+        d->modulus = hypot(number_mid_approx(&d->re), number_mid_approx(&d->im));
+    }
+    qsort(z->disc, (size_t)z->count, sizeof *z->disc, by_falling_modulus);
+    return are_finite(z);
+}
+
+static bool make(eigenvalues *z, int n)
+{
     z->size = n;
     z->count = 0;
     z->disc = malloc(((size_t)n + 1) * sizeof *z->disc);
@@ -598,18 +282,29 @@ truth eigenvalues_enclose(eigenvalues *z, const number *b, const number *imagina
         number_init(&z->disc[i].im);
         number_init(&z->disc[i].radius);
     }
-    if (made && z->disc)
-        found = start(&s);
-    if (found == TRUTH_TRUE) {
-        improve_all(&s);
-        found = add_remainder(&s) ? TRUTH_TRUE : TRUTH_UNKNOWN;
-    }
-    if (found == TRUTH_TRUE) {
-        choose_scale(&s);
-        found = finish(z, &s);
-    }
-    workspace_free(&s);
-    return found;
+    return z->disc != NULL;
+}
+
+static bool find_components(int *component, const number *b, const number *imaginary, int n)
+{
+    bool *arrow = malloc((size_t)n * (size_t)n + 1);
+    bool ok = arrow != NULL;
+    for (int i = 0; ok && i < n * n; i++)
+        arrow[i] = number_is_zero(&b[i]) != TRUTH_TRUE || (imaginary && number_is_zero(&imaginary[i]) != TRUTH_TRUE);
+    ok = ok && components_find(component, arrow, n);
+    free(arrow);
+    return ok;
+}
+
+truth eigenvalues_enclose(eigenvalues *z, const number *b, const number *imaginary, int n, long prec)
+{
+    int *component = malloc(((size_t)n + 1) * sizeof *component);
+    truth found = make(z, n) && component && find_components(component, b, imaginary, n) ? TRUTH_TRUE : TRUTH_FALSE;
+    for (int i = 0; found == TRUTH_TRUE && i < n; i++)
+        if (component[i] == i)
+            found = add_component(z, b, imaginary, component, i, prec);
+    free(component);
+    return found == TRUTH_TRUE ? settle(z, imaginary == NULL, prec) : found;
 }
 
 void eigenvalues_free(eigenvalues *z)

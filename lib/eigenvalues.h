@@ -1,10 +1,11 @@
 /* eigenvalues.h: all eigenvalues of a matrix, enclosed in discs, with their multiplicities as far as discs tell.
    Compiled once per number system.
 
-   In a basis v of approximate eigenvectors (of approximate Schur vectors within a group of close eigenvalues) the
-   matrix is nearly diagonal (nearly a small triangle in each group).  Gershgorin's theorem, after a diagonal
+   The matrix is taken apart into the components of its entries that are not 0 (lib/components.h).  In a basis of
+   approximate eigenvectors each of them is nearly diagonal (lib/eigenbasis.h).  Gershgorin's theorem, after a diagonal
    scaling, puts the eigenvalues into discs; a union of discs that is disjoint from all others contains as many
-   eigenvalues, with multiplicity, as it has discs.  Jordan blocks do no harm: they only make their disc larger. */
+   eigenvalues, with multiplicity, as it has discs.  Jordan blocks do no harm: they only make their disc larger.
+   lib/eigenvalues.md proves it, rounding included. */
 #ifndef LIB_EIGENVALUES_H
 #define LIB_EIGENVALUES_H
 
@@ -18,7 +19,7 @@ typedef struct {
     number re, im; /* centre, thin */
     number radius; /* thin */
     int count;
-    bool real;      /* the one eigenvalue is real (of a real matrix: else false) */
+    bool real;      /* of a real matrix: all of them are real, because there is one, or because the radius is 0 */
     double modulus; /* about */
 } eigenvalue_disc;
 

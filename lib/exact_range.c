@@ -251,6 +251,30 @@ bool formula_exact_range(exact_range *z, bool *known, const formula *f, const fo
     }
 }
 
+static bool is_whole_constant(bool *whole, const formula *f, const formula_region *at)
+{
+    exact_range x;
+    bool ok;
+    exact_range_init(&x);
+    ok = set_exact(&x, whole, f, at);
+    *whole = ok && *whole && !x.is_angle && rational_is_integer(&x.low.q);
+    exact_range_clear(&x);
+    return ok;
+}
+
+bool formula_is_whole(bool *whole, const formula *f, const formula_region *at)
+{
+    if (!(f->depends & formula_region_varies(at)))
+        return is_whole_constant(whole, f, at);
+    if (f->kind == FORMULA_REFERENCE)
+        return formula_is_whole(whole, f->definition, at);
+    *whole = f->kind == FORMULA_VARIABLE || f->kind == FORMULA_NEGATE || (f->kind == FORMULA_BINARY && f->op != '/');
+    for (int i = 0; *whole && i < f->children; i++)
+        if (!formula_is_whole(whole, f->child[i], at))
+            return false;
+    return true;
+}
+
 bool formula_is_constant(bool *constant, const formula *f, const formula_region *at)
 {
     *constant = true;

@@ -65,6 +65,9 @@ static inline bool exact_range_is_bounded(const exact_range *x) { return !x->low
    missing here, or f has no value at some point.  false: no memory. */
 BIGFLOAT_MUST_USE bool formula_exact_range(exact_range *z, bool *known, const formula *f, const formula_region *at);
 
+/* Is f evidently a whole number everywhere in the region: made of k, m and exact whole numbers by + - * and minus? */
+BIGFLOAT_MUST_USE bool formula_is_whole(bool *whole, const formula *f, const formula_region *at);
+
 /* Has f the same value, or none, everywhere in the region?  *constant false: perhaps not. */
 BIGFLOAT_MUST_USE bool formula_is_constant(bool *constant, const formula *f, const formula_region *at);
 

@@ -177,15 +177,15 @@ static status power_of_enclosure(number *z, const formula *base, long n, const c
     return s;
 }
 
-/* A whole number, or one beyond all that are computed. */
-static bool is_whole(long *n, const exact_end *x)
+/* An end of an exponent, or one beyond all that are computed. */
+static bool get_end(long *n, const exact_end *x)
 {
     const integer *value = &x->q.numerator;
     if (x->infinity) {
         *n = x->infinity * (1L << 30);
         return true;
     }
-    if (!rational_is_integer(&x->q) || !integer_fits_si(value) || integer_bits(value) > 62)
+    if (integer_bits(value) > 62)
         return false;
     *n = (long)integer_get_si(value);
     return true;
@@ -194,14 +194,14 @@ static bool is_whole(long *n, const exact_end *x)
 static status power(number *z, const formula *f, const context *c)
 {
     exact_range base, exponent;
-    bool base_known = false, known = false;
+    bool base_known = false, known = false, whole = false;
     long low = 0, high = 0;
     status s = STATUS_OK;
     exact_range_init(&base);
     exact_range_init(&exponent);
-    if (!formula_exact_range(&exponent, &known, f->child[1], c->at) || !formula_exact_range(&base, &base_known, f->child[0], c->at))
+    if (!formula_is_whole(&whole, f->child[1], c->at) || !formula_exact_range(&exponent, &known, f->child[1], c->at) || !formula_exact_range(&base, &base_known, f->child[0], c->at))
         s = STATUS_NO_MEMORY;
-    known = known && !exponent.is_angle && is_whole(&low, &exponent.low) && is_whole(&high, &exponent.high);
+    known = known && whole && get_end(&low, &exponent.low) && get_end(&high, &exponent.high);
     base_known = base_known && !base.is_angle && !(f->child[0]->depends & formula_region_varies(c->at)) && rational_sign(&base.low.q) > 0;
     if (s == STATUS_OK) {
         if (known && base_known)

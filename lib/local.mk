@@ -3,6 +3,8 @@
 LIB_SOURCES = \
   lib/diagnostic.h lib/diagnostic.c \
   lib/growing.h \
+  lib/stop.h lib/stop.c \
+  lib/stride.h \
   lib/lattice.h \
   lib/laurent.h lib/laurent.c \
   lib/exact_value.h lib/exact_value.c \
@@ -16,6 +18,9 @@ LIB_SOURCES = \
   lib/decomposition.h lib/decomposition.c \
   lib/stability.h lib/stability.c \
   lib/regular_refutation.h lib/regular_refutation.c \
+  lib/number_field.h lib/number_field.c \
+  lib/field_polynomial.h lib/field_polynomial.c \
+  lib/field_matrix.h lib/field_matrix.c \
   lib/scheme.h lib/scheme.c \
   lib/scheme_reader.h lib/scheme_lines.c lib/scheme_definitions.c lib/scheme_mask.c lib/scheme_rule.c lib/scheme_symmetry.c \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
@@ -28,6 +33,7 @@ LIB_SOURCES = \
   lib/ring.h lib/ring.c \
   lib/eigen_approx.h lib/eigen_approx.c \
   lib/schur_approx.h lib/schur_approx.c \
+  lib/components.h lib/components.c \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
   lib/monotone_list.h lib/monotone_list.c \
@@ -40,14 +46,20 @@ LIB_GENERIC_SOURCES = \
   lib/formula_range.h lib/formula_range.c \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/spectrum.h lib/spectrum.c \
   lib/cover.h lib/cover.c \
   lib/complex_matrix.h lib/complex_matrix.c \
+  lib/eigenbasis.h lib/eigenbasis.c \
   lib/eigenvalues.h lib/eigenvalues.c \
   lib/eigenpair.h lib/eigenpair.c \
   lib/eigenpair_slope.h lib/eigenpair_slope.c \
+  lib/eigenpair_affine.h lib/eigenpair_affine.c \
   lib/monotone.h lib/monotone.c \
+  lib/rise.h lib/rise.c \
+  lib/span.h lib/span.c \
+  lib/separation.h lib/separation.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
 
@@ -56,6 +68,7 @@ LIB_JET_SOURCES = \
   lib/formula_range.h \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/block_slope.h lib/block_slope.c
 
@@ -64,10 +77,20 @@ LIB_AFFINE_SOURCES = \
   lib/formula_range.h \
   lib/sector.h lib/sector.c \
   lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
+# Compiled for exact numbers of a field of cosines, too.
+LIB_COSINES_SOURCES = \
+  lib/formula_value.h lib/formula_value.c \
+  lib/formula_range.h lib/formula_range.c \
+  lib/sector.h lib/sector.c \
+  lib/step.h lib/step.c \
+  lib/subdivision.h lib/subdivision.c \
+  lib/block.h lib/block.c \
+  lib/exact_block.h lib/exact_block.c
 
 # One file for each scheme. They are part of the program and are installed as examples, too.
 CATALOGUE = \
@@ -90,6 +113,7 @@ CATALOGUE = \
 GENERIC_SOURCES += $(LIB_GENERIC_SOURCES)
 JET_SOURCES += $(LIB_JET_SOURCES)
 AFFINE_SOURCES += $(LIB_AFFINE_SOURCES)
+COSINES_SOURCES += $(LIB_COSINES_SOURCES)
 
 noinst_LIBRARIES += libscheme.a
 libscheme_a_SOURCES = $(LIB_SOURCES)
@@ -102,5 +126,5 @@ lib/catalogue.c: $(CATALOGUE) lib/embed-catalogue lib/local.mk
 	$(AM_V_GEN)$(MKDIR_P) lib && \
 	(cd $(srcdir) && $(SHELL) lib/embed-catalogue $(CATALOGUE)) >$@.tmp && mv $@.tmp $@
 
-EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/embed-catalogue
+EXTRA_DIST += lib/scheme.md lib/stability.md lib/ring.md lib/regular_refutation.md lib/eigenvalues.md lib/embed-catalogue
 CLEANFILES += lib/catalogue.c lib/catalogue.c.tmp

@@ -5,6 +5,10 @@
 
 #include "../bigfloat/number.h"
 
+#if defined(NUMBER_INTERVAL)
+#include "../bigfloat/interval_batch.h"
+#endif
+
 /* z_j += x_0 y_0j + ... + x_(n-1) y_(n-1)j (minus, if `negative`), j < n; z is not x, and not in y.  On grids each
    product is rounded and the sum exact, so its order does not matter. */
 static inline void matrix_add_row(number *z, const number *x, const number *y, int n, bool negative, long prec)
@@ -17,6 +21,9 @@ static inline void matrix_add_row(number *z, const number *x, const number *y, i
         (negative ? number_sub : number_add)(&z[j], &z[j], &sum, prec);
     }
     number_clear(&sum);
+#elif defined(NUMBER_INTERVAL)
+    (void)prec;
+    interval_batch_row(z, x, y, (size_t)n, negative);
 #else
     for (int l = 0; l < n; l++)
         for (int j = 0; j < n; j++)

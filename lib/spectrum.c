@@ -2,6 +2,7 @@
 #include "spectrum.h"
 
 #include "matrix_row.h"
+#include "stop.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -48,12 +49,17 @@ void matrix_deflate_complex(number *z, const number *b, const number *x, int n, 
         }
 }
 
-static void square(number *z, const number *c, int n, long prec)
+/* false: there was no time. */
+static bool square(number *z, const number *c, int n, long prec)
 {
     for (int i = 0; i < n * n; i++)
         number_zero(&z[i]);
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         matrix_add_row(&z[i * n], &c[i * n], c, n, false, prec);
+        if (stop_now())
+            return false;
+    }
+    return true;
 }
 
 /* norm = the largest row sum of magnitudes.  Returns the largest magnitude that is certainly attained, roughly: the
@@ -111,9 +117,8 @@ spectral_answer spectral_contraction(const number *b, const number *scale, int n
             answer.diverges = attained > DIVERGED / 0x1p32 && answer.power <= prec / 2;
             if (answer.power >= least && number_less(&norm, &one) == TRUTH_TRUE)
                 answer.contracts = TRUTH_TRUE;
-            if (answer.contracts == TRUTH_TRUE || answer.power == limit || !(bound < DIVERGED))
+            if (answer.contracts == TRUTH_TRUE || answer.power == limit || !(bound < DIVERGED) || !square(d, c, n, prec))
                 break;
-            square(d, c, n, prec);
             number *t = c;
             c = d;
             d = t;

@@ -19,6 +19,7 @@ void matrix_deflate(number *z, const number *b, const number *x, int n, int pivo
    Its eigenvalues are the other ones, and their conjugates. */
 void matrix_deflate_complex(number *z, const number *b, const number *x, int n, int pivot, long prec);
 
+/* (lib/stop.h: an answer that does not contract may have been given for want of time.) */
 typedef struct {
     truth contracts; /* TRUTH_FALSE: no memory */
     int power;

@@ -1,4 +1,4 @@
-/* step.c: rules become matrices on pairs, then a net is mapped point by point. */
+/* step.c: rules become matrices on pairs. */
 #include "step.h"
 
 #include "formula_range.h"
@@ -58,13 +58,15 @@ static void make_indeterminate(pair_matrix *z)
     number_indeterminate(&z->yy);
 }
 
-#if defined(NUMBER_JET)
-/* As a function of u it is not needed. */
+#if defined(NUMBER_JET) || defined(NUMBER_COSINES)
+/* As a function of u it is not needed, and exactly neither (verify/exact.md, section 3). */
 static bool twist_of_sector(pair_matrix *z, const evaluation *e, long j)
 {
-    (void)e;
     (void)j;
-    make_indeterminate(z);
+    if (e->twist)
+        make_indeterminate(z);
+    else
+        set_scalar(z, &e->one);
     return true;
 }
 #else
@@ -169,16 +171,31 @@ static status value_of_spectrum(pair_matrix *z, number *total, const source *s, 
     return result;
 }
 
-/* The matrix and the total weight of a source that is not the rest. */
-static status value_of_source(pair_matrix *z, number *total, const source *s, evaluation *e)
+/* The weight of source i, evaluated once if it is the same for all frequencies. */
+static status value_of_weight(number *weight, rule_numbers *r, int i, evaluation *e)
 {
+    const formula *f = r->rule->sources[i].weight;
+    status result = STATUS_OK;
+    if (f->depends & FORMULA_ON_FREQUENCY)
+        return value_of(weight, f, e);
+    if (!r->known[i])
+        result = value_of(&r->weight[i], f, e);
+    r->known[i] = result == STATUS_OK;
+    number_set(weight, &r->weight[i]);
+    return result;
+}
+
+/* The matrix and the total weight of source i, which is not the rest. */
+static status value_of_source(pair_matrix *z, number *total, rule_numbers *r, int i, evaluation *e)
+{
+    const source *s = &r->rule->sources[i];
     pair_matrix power;
     status result;
     if (s->kind == SOURCE_SECTORS)
         return sum_over_sectors(z, total, s, e);
     if (s->kind == SOURCE_SPECTRUM)
         return value_of_spectrum(z, total, s, e);
-    result = value_of(total, s->weight, e);
+    result = value_of_weight(total, r, i, e);
     if (result != STATUS_OK || (s->kind == SOURCE_ALL && e->twist))
         return result; /* equal shares cancel: the sum of t^j over all sectors is 0 */
     pair_matrix_init(&power);
@@ -220,7 +237,7 @@ static status set_rule(rule_numbers *z, evaluation *e)
             z->point[i] = s->point;
             number_zero(&total);
             if (!is_rest) {
-                result = value_of_source(&z->matrix[i], &total, s, e);
+                result = value_of_source(&z->matrix[i], &total, z, i, e);
                 number_sub(&rest, &rest, &total, e->z->prec);
             } else {
                 value_of_rest(&z->matrix[i], &rest, s, e);
@@ -263,6 +280,7 @@ status scheme_numbers_make_range(scheme_numbers *z, const scheme *s, valence_ran
     z->scheme = s;
     z->k = k;
     z->prec = prec;
+    z->rings = scheme_closed_rings(s);
     for (int i = 0; i < s->step_count; i++) {
         status result = collect_rules(&z->steps[i], &s->steps[i], k, d);
         if (result != STATUS_OK)
@@ -296,125 +314,13 @@ void scheme_numbers_free(scheme_numbers *z)
     for (int i = 0; z->scheme && i < z->scheme->step_count; i++) {
         step_numbers *s = &z->steps[i];
         for (int j = 0; j < s->rule_count; j++)
-            for (int l = 0; l < s->rules[j].count; l++)
+            for (int l = 0; l < s->rules[j].count; l++) {
                 pair_matrix_clear(&s->rules[j].matrix[l]);
+                number_clear(&s->rules[j].weight[l]);
+            }
         free(s->rules);
         if (s->mask.mask)
             mask_numbers_free(&s->mask);
     }
     memset(z, 0, sizeof *z);
-}
-
-/* ---- applying ---- */
-
-static const rule_numbers *find_rule(const step_numbers *s, bool at_centre, int a, int b)
-{
-    for (int i = 0; i < s->rule_count; i++) {
-        const rule *r = s->rules[i].rule;
-        if (r->at_centre == at_centre && (at_centre || (r->point.a == a && r->point.b == b)))
-            return &s->rules[i];
-    }
-    return NULL;
-}
-
-static sector_status apply_rule(number *x, number *y, const rule_numbers *r, const sector_net *old_net, long prec)
-{
-    sector_status s = SECTOR_OK;
-    number p, q;
-    number_init(&p);
-    number_init(&q);
-    number_zero(x);
-    number_zero(y);
-    for (int i = 0; s == SECTOR_OK && i < r->count; i++) {
-        if (r->rule->sources[i].kind == SOURCE_CENTRE) {
-            number_addmul(x, &r->matrix[i].xx, &old_net->centre, prec); /* 0 unless the net is plain */
-            continue;
-        }
-        s = sector_value(&p, &q, old_net, r->point[i].a, r->point[i].b, prec);
-        pair_matrix_apply(&p, &q, &r->matrix[i], prec);
-        number_add(x, x, &p, prec);
-        number_add(y, y, &q, prec);
-    }
-    number_clear(&p);
-    number_clear(&q);
-    return s;
-}
-
-/* Without a rule the centre keeps its value, if the mask says so and nothing else. */
-static bool mask_keeps_centre(const laurent *mask, int dilation)
-{
-    for (long a = mask->a0; a < mask->a0 + mask->na; a++)
-        for (long b = mask->b0; b < mask->b0 + mask->nb; b++)
-            if (a % dilation == 0 && b % dilation == 0 && (a || b) && !laurent_is_zero_at(mask, a, b))
-                return false;
-    return true;
-}
-
-static subdivide_status apply_to_centre(sector_net *new_net, const sector_net *old_net, const scheme_step *step, const step_numbers *n, long prec)
-{
-    const rule_numbers *r = find_rule(n, true, 0, 0);
-    number unused;
-    sector_status s = SECTOR_OK;
-    if (step->to == MESH_DUAL || new_net->twist)
-        return SUBDIVIDE_OK; /* no centre, or 0 there */
-    number_init(&unused);
-    if (r)
-        s = apply_rule(&new_net->centre, &unused, r, old_net, prec);
-    else if (step->from != MESH_DUAL && mask_keeps_centre(&step->mask, step->dilation))
-        number_mul(&new_net->centre, mask_numbers_at(&n->mask, 0, 0), &old_net->centre, prec);
-    else
-        return SUBDIVIDE_NO_CENTRE_RULE;
-    number_clear(&unused);
-    return s == SECTOR_OK ? SUBDIVIDE_OK : SUBDIVIDE_OPPOSITE;
-}
-
-static subdivide_status apply_step(sector_net *new_net, const sector_net *old_net, const scheme_step *step, const step_numbers *n, long prec)
-{
-    for (int a = 1; a <= new_net->rings; a++)
-        for (int b = step->to == MESH_DUAL; b <= new_net->rings; b++) {
-            const rule_numbers *r;
-            number *x = &new_net->x[sector_index(new_net, a, b)], *y = &new_net->y[sector_index(new_net, a, b)];
-            sector_status s;
-            if (mesh_ring(step->to, a, b) > new_net->rings)
-                continue;
-            r = find_rule(n, false, a, b);
-            s = r ? apply_rule(x, y, r, old_net, prec) : sector_masked_value(x, y, old_net, &n->mask, step->dilation, a, b, prec);
-            if (s != SECTOR_OK)
-                return SUBDIVIDE_OPPOSITE;
-            if (number_lacks_memory(x) || number_lacks_memory(y))
-                return SUBDIVIDE_NO_MEMORY;
-        }
-    return apply_to_centre(new_net, old_net, step, n, prec);
-}
-
-/* The rings that each step must produce, so that the last has `rings`. */
-static void plan_rings(int *rings_after, const scheme *s, int rings)
-{
-    for (int i = s->step_count - 1; i >= 0; i--) {
-        rings_after[i] = rings;
-        rings = scheme_step_rings_needed(&s->steps[i], rings);
-    }
-}
-
-subdivide_status scheme_subdivide(sector_net *new_net, const sector_net *old_net, const scheme_numbers *numbers, int rings)
-{
-    const scheme *s = numbers->scheme;
-    int rings_after[SCHEME_MAX_STEPS];
-    sector_net between[2];
-    subdivide_status result = SUBDIVIDE_OK;
-    memset(between, 0, sizeof between);
-    plan_rings(rings_after, s, rings);
-    memset(new_net, 0, sizeof *new_net);
-    for (int i = 0; result == SUBDIVIDE_OK && i < s->step_count; i++) {
-        const sector_net *from = i ? &between[(i - 1) % 2] : old_net;
-        sector_net *to = i == s->step_count - 1 ? new_net : &between[i % 2];
-        sector_net_free(to);
-        if (!sector_net_make(to, s->steps[i].to, old_net->regular, rings_after[i], old_net->twist))
-            result = SUBDIVIDE_NO_MEMORY;
-        else
-            result = apply_step(to, from, &s->steps[i], &numbers->steps[i], numbers->prec);
-    }
-    sector_net_free(&between[0]);
-    sector_net_free(&between[1]);
-    return result;
 }

@@ -12,7 +12,6 @@
 #define scheme_numbers_set_frequency NUMBER_NAME(scheme_numbers_set_frequency)
 #define scheme_numbers_set_frequencies NUMBER_NAME(scheme_numbers_set_frequencies)
 #define scheme_numbers_free NUMBER_NAME(scheme_numbers_free)
-#define scheme_subdivide NUMBER_NAME(scheme_subdivide)
 
 /* A rule's effect on nets of one frequency: the sum of matrix[i] times the value at point[i] of the own sector, or at
    the centre, as source i says. */
@@ -21,6 +20,8 @@ typedef struct {
     int count;
     lattice point[SCHEME_MAX_SOURCES];
     pair_matrix matrix[SCHEME_MAX_SOURCES];
+    bool known[SCHEME_MAX_SOURCES];     /* weight[i] is that of source i for every frequency */
+    number weight[SCHEME_MAX_SOURCES];
 } rule_numbers;
 
 typedef struct {
@@ -34,6 +35,9 @@ typedef struct {
     valence_range k;
     frequencies m;
     long prec;
+    int rings;     /* scheme_closed_rings */
+    bool any_mask; /* where the valence is plainly regular, any mask may give the centre its value, as lib/scheme.md says;
+                      else it must keep it, which is all that certificates know of (verify/certificate.md, section 5) */
     step_numbers steps[SCHEME_MAX_STEPS];
 } scheme_numbers;
 
@@ -52,11 +56,5 @@ static inline status scheme_numbers_set_frequency(scheme_numbers *z, long m, con
     return scheme_numbers_set_frequencies(z, one_frequency(m), t, d);
 }
 void scheme_numbers_free(scheme_numbers *z);
-
-typedef enum { SUBDIVIDE_OK, SUBDIVIDE_OPPOSITE, SUBDIVIDE_NO_CENTRE_RULE, SUBDIVIDE_NO_MEMORY } subdivide_status;
-
-/* new = the net after one subdivision, on the rings 1..rings; old must have scheme_rings_needed(scheme, rings) rings at
-   least.  new is made here; on any status sector_net_free. */
-subdivide_status scheme_subdivide(sector_net *new_net, const sector_net *old_net, const scheme_numbers *numbers, int rings);
 
 #endif

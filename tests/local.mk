@@ -32,6 +32,7 @@ LIB_TESTS = \
   tests/lib/t-formula \
   tests/lib/t-laurent \
   tests/lib/t-regular \
+  tests/lib/t-number_field \
   tests/lib/t-scheme \
   tests/lib/t-scheme_language \
   tests/lib/t-element \
@@ -41,6 +42,7 @@ LIB_TESTS = \
 tests_lib_t_formula_LDADD = $(LINK_LIB)
 tests_lib_t_laurent_LDADD = $(LINK_LIB)
 tests_lib_t_regular_LDADD = $(LINK_LIB)
+tests_lib_t_number_field_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_LDADD = $(LINK_LIB)
 tests_lib_t_scheme_language_LDADD = $(LINK_LIB)
 tests_lib_t_element_LDADD = $(LINK_LIB)
@@ -51,31 +53,57 @@ tests_lib_t_schur_approx_LDADD = $(LINK_LIB)
 VERIFY_TESTS = \
   tests/verify/t-sha256 \
   tests/verify/t-tree \
-  tests/verify/t-valences \
+  tests/verify/t-valence_list \
   tests/verify/t-archive \
   tests/verify/t-survey \
   tests/verify/t-certificate \
+  tests/verify/t-picture \
   tests/verify/t-prove \
+  tests/verify/t-exact \
+  tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
 tests_verify_t_sha256_LDADD = $(LINK_VERIFY)
 tests_verify_t_tree_LDADD = $(LINK_VERIFY)
-tests_verify_t_valences_LDADD = $(LINK_VERIFY)
+tests_verify_t_valence_list_LDADD = $(LINK_VERIFY)
 tests_verify_t_archive_LDADD = $(LINK_VERIFY)
 tests_verify_t_survey_LDADD = $(LINK_VERIFY)
 tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
+tests_verify_t_picture_LDADD = $(LINK_VERIFY)
+tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
+tests_verify_t_exact_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 
+# The checker as a program, judged by the prover.
+CERTIFICATE_TESTS = \
+  tests/certificates/t-mutate \
+  tests/certificates/t-radius
+CORPUS_SOURCES = \
+  tests/certificates/mutations.h tests/certificates/mutations.c \
+  tests/certificates/corpus.h tests/certificates/corpus.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
+tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
+tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
+
 # Like the checker, its test sees nothing of ours.
 CHECK_TESTS = \
   tests/check/t-check-units \
-  tests/check/t-check-spectrum
+  tests/check/t-check-geometry \
+  tests/check/t-check-spectrum \
+  tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
+tests_check_t_check_units_SOURCES = tests/check/protocol.h tests/check/t-check-units.c
 tests_check_t_check_units_LDADD =
+tests_check_t_check_geometry_CPPFLAGS =
+tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-check-geometry.c
+tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_ranges_CPPFLAGS =
+tests_check_t_check_ranges_LDADD =
 
 # One source, three programs: tests/lib/t-x-interval, -ball and -grid of tests/lib/t-x.c.
 GENERIC_TESTS = \
@@ -89,23 +117,34 @@ GENERIC_TESTS = \
   tests/lib/t-spectrum \
   tests/lib/t-cover \
   tests/lib/t-monotone \
+  tests/lib/t-separation \
   tests/lib/t-eigenvalues \
+  tests/lib/t-eigenvalues_near \
   tests/lib/t-eigenpair \
   tests/lib/t-complex_eigenpair \
+  tests/lib/t-eigenpair_affine \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
+  tests/lib/t-charnet_affine \
   tests/lib/t-ring \
   tests/verify/t-uniform_net \
   tests/verify/t-adaptive
 
 SCRIPT_TESTS = \
+  tests/bigfloat/installed.sh \
+  tests/verify/pages.sh \
+  tests/verify/completion.sh \
+  tests/verify/report.sh \
+  tests/verify/advice.sh \
+  tests/verify/readme.sh \
   tests/lib/bad-schemes.sh \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
+  tests/check/ranges.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
+  tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
-  tests/certificates/mutate.sh \
   tests/certificates/usage.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
@@ -122,16 +161,18 @@ EXTRA_DIST += \
   tests/check/loop.scheme tests/check/loop-7.cert tests/check/loop-7-second.cert \
   tests/check/butterfly.scheme tests/check/butterfly-5.cert \
   tests/check/wide-cos.scheme tests/check/wide-cos-3.cert \
+  tests/check/ranges \
   tests/certificates/schemes \
   tests/certificates/accept \
   tests/certificates/accept-1 \
   tests/certificates/reject \
+  tests/certificates/reject-1 \
   tests/verify/schemes
 
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
-  $(CHECK_TESTS) $(SCRIPT_TESTS)
+  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(SCRIPT_TESTS)
 
 # What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
 check_PROGRAMS += tests/faults/crash
@@ -142,7 +183,8 @@ CLEANFILES += $(PRELOADED)
 $(PRELOADED): tests/faults/preload.c
 	$(AM_V_CCLD)$(MKDIR_P) $(@D) && { $(CC) -std=gnu11 -O1 -shared -fPIC -o $@ $< -ldl -lpthread 2>/dev/null || : >$@; }
 
-check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CHECK_TESTS)
+check_PROGRAMS += $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(VERIFY_TESTS) $(CERTIFICATE_TESTS) \
+  $(CHECK_TESTS)
 EXTRA_DIST += tests/run-tests $(GENERIC_TESTS:=.c) $(TEST_COMMON) $(SCRIPT_TESTS)
 CLEANFILES += $(ALL_GENERIC_TESTS)
 
@@ -153,7 +195,7 @@ libharness_a_SOURCES = \
   tests/harness.h tests/harness.c \
   tests/bigfloat/random.h tests/bigfloat/random.c
 
-TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/verify/common.h
+TEST_COMMON = tests/lib/common.h tests/lib/region.h tests/lib/matrix.h tests/lib/discs.h tests/verify/common.h
 
 # The source of tests/bigfloat/t-x is tests/bigfloat/t-x.c, and it links with this unless told otherwise.
 LDADD = libharness.a $(BIGFLOAT_LIBS)
@@ -204,3 +246,15 @@ EXTRA_DIST += tests/bigfloat/mutate-constants $(MUTATIONS)
 mutate-constants:
 	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
 	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)
+
+# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers; SMOOTHCERT_SEED
+# chooses others.
+MUTANTS = 100
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+.PHONY: mutate
+mutate: all tests/certificates/t-mutate
+	@$(MKDIR_P) mutate
+	@$(CC) $(SANITIZE) -o mutate/smoothcert-check $(srcdir)/verify/check/*.c
+	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
+	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
+	  $(abs_builddir)/tests/certificates/t-mutate

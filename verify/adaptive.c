@@ -313,7 +313,9 @@ static outcome examine(run *r, element_type type, int level)
     r->report->level = level > r->report->level ? level : r->report->level;
     if (r->report->examined % 64 == 0 && deadline_passed(r->task->deadline))
         return OUTCOME_STOPPED;
-    return r->task->replay ? follow(r, type, level) : search(r, type, level);
+    if (r->task->replay)
+        return follow(r, type, level);
+    return r->task->max_elements && r->report->examined > r->task->max_elements ? OUTCOME_UNDEFINED : search(r, type, level);
 }
 
 static run *run_make(adaptive_report *report, tree_word *word, const adaptive_task *task, long prec)

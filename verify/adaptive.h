@@ -39,6 +39,7 @@ typedef struct {
     bool boxes_only;  /* the quantity is not as polynomials need it */
     bool replay;      /* follow the word instead of writing it */
     int max_level;    /* of subdivision */
+    long max_elements; /* that a search examines, 0: any number; more are OUTCOME_UNDEFINED */
     const deadline *deadline;
 } adaptive_task;
 

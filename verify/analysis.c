@@ -16,28 +16,32 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
 
 /* ---- what several tests need ---- */
 
-outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d)
+outcome outcome_from_block(findings *f, block_status s, const diagnostic *d)
 {
     switch (s) {
     case BLOCK_OK:
         return OUTCOME_TRUE;
     case BLOCK_OPPOSITE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
+        return findings_explain(f, OUTCOME_FALSE, "a rule reaches behind the extraordinary vertex, where its sheet is ambiguous");
     case BLOCK_NO_CENTRE_RULE:
-        return findings_explain(a->findings, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+        return findings_explain(f, OUTCOME_FALSE, "the scheme has no rule for the extraordinary vertex, and the mask is none");
+    case BLOCK_STOPPED:
+        return findings_explain(f, OUTCOME_STOPPED, "no time left");
     case BLOCK_BAD_INPUT:
-        return findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
+        return findings_explain(f, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d->line, d->column, d->text);
     default:
         return OUTCOME_NO_MEMORY;
     }
 }
 
+#if !defined(NUMBER_AFFINE)
 outcome analysis_make_block(block *b, analysis *a, long first, long last)
 {
     diagnostic d;
     frequencies m = {first, last};
     return analysis_from_block(a, block_make_range(b, &a->numbers, m, !a->choices->eigenpair.complex_form, &d), &d);
 }
+#endif
 
 /* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
    B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
@@ -93,10 +97,12 @@ static outcome prepare(analysis *a, adaptive_task *task, charnet_windows *window
     task->count = count;
     task->replay = a->replay;
     task->max_level = a->plan->max_level;
+    task->max_elements = a->replay ? 0 : a->plan->max_elements;
     task->deadline = a->plan->deadline;
     for (*made = 0; o == OUTCOME_TRUE && *made < task->nets; ++*made) {
         int i = *made, which = task->which[i];
-        o = analysis_from_block(a, charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec), NULL);
+        o = analysis_from_block(a, a->mixed ? real_windows(&windows[i], a, which, elements, count)
+                                            : charnet_windows_make(&windows[i], &a->net, &p->geometry, which, elements, count, a->prec), NULL);
         task->windows[i] = &windows[i];
         task->mask[i] = &a->mask[which];
         task->patch[i] = p->polynomial ? &a->patch[which] : NULL;
@@ -149,7 +155,7 @@ static outcome evaluate_scheme(analysis *a)
     for (int i = 0; i < RING_NETS; i++)
         if (!mask_numbers_make(&a->mask[i], p->geometry.mask[i], a->prec) || (p->polynomial && !patch_numbers_make(&a->patch[i], &p->bernstein[i], i == RING_VALUES, a->prec)))
             return OUTCOME_NO_MEMORY;
-    switch (scheme_numbers_make(&a->numbers, p->scheme, a->choices->valence, a->prec, &d)) {
+    switch (scheme_numbers_make_range(&a->numbers, p->scheme, a->choices->k, a->prec, &d)) {
     case STATUS_OK:
         return OUTCOME_TRUE;
     case STATUS_BAD_INPUT:
@@ -166,7 +172,18 @@ typedef struct {
     unsigned claims; /* that need it: 1 << claim_kind */
 } analysis_test;
 
-enum { C1 = 1 << CLAIM_C1, FREQUENCY = 1 << CLAIM_FREQUENCY, NOT_C0 = 1 << CLAIM_NOT_C0, FOLD = 1 << CLAIM_FOLD, ALL = C1 | FREQUENCY | NOT_C0 | FOLD };
+enum {
+    C1 = 1 << CLAIM_C1,
+    FREQUENCY = 1 << CLAIM_FREQUENCY,
+    NOT_C0 = 1 << CLAIM_NOT_C0,
+    FOLD = 1 << CLAIM_FOLD,
+    REAL = 1 << CLAIM_REAL,
+    TIE = 1 << CLAIM_TIE,
+    JORDAN = 1 << CLAIM_JORDAN,
+    MODULUS_ONE = 1 << CLAIM_MODULUS_ONE,
+    ENCLOSED = C1 | FREQUENCY | NOT_C0 | FOLD | REAL,
+    EXACT = TIE | JORDAN | MODULUS_ONE
+};
 
 /* What was found earlier for a wider or narrower L?  The bound 1/scale of the others must still be one of L. */
 static bool is_still_true(const analysis *a, test_name name)
@@ -180,6 +197,8 @@ static outcome run_test(analysis *a, const analysis_test *t)
     attempt *log = findings_begin(a->findings, t->words, t->name == TEST_REGULAR_COMPLEX && !a->replay ? "exact" : a->plan->system,
                                   t->name == TEST_REGULAR_COMPLEX && !a->replay ? 0 : a->prec);
     outcome o = t->run(a);
+    if ((o == OUTCOME_FALSE || o == OUTCOME_UNDEFINED || o == OUTCOME_FAIL) && stop_now())
+        o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
     log->outcome = o;
     log->seconds = deadline_now() - start;
     if (o == OUTCOME_UNDEFINED && a->plan->uniform && !a->replay && a->plan->found[TEST_UNIFORM])
@@ -212,16 +231,19 @@ static outcome run_uniform(analysis *a)
 static outcome run_tests(analysis *a)
 {
     static const analysis_test tests[] = {
-        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ALL}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ALL},
-        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD}, {TEST_REGULARITY, "regularity", test_regularity, C1},
-        {TEST_INJECTIVITY, "injectivity", test_injectivity, C1}, {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
-        {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0}, {TEST_WITNESS, "fold", test_fold, FOLD},
+        {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, ENCLOSED | EXACT}, {TEST_EIGENPAIR, "eigenpair", test_eigenpair, ENCLOSED},
+        {TEST_SECOND, "second eigenpair", test_second, REAL}, {TEST_EXACT, "exact", test_exact, EXACT},
+        {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD | REAL | TIE | JORDAN},
+        {TEST_REGULARITY, "regularity", test_regularity, C1}, {TEST_INJECTIVITY, "injectivity", test_injectivity, C1},
+        {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY | JORDAN}, {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0},
+        {TEST_WITNESS, "fold", test_fold, FOLD}, {TEST_WITNESS, "normals", test_real, REAL},
+        {TEST_WITNESS, "nonzero", test_exact_witnesses, TIE | MODULUS_ONE},
     };
     outcome o = OUTCOME_TRUE;
     for (size_t i = 0; o == OUTCOME_TRUE && i < sizeof tests / sizeof *tests; i++) {
         if (!(tests[i].claims & 1U << a->choices->claim))
             continue;
-        if (tests[i].name == TEST_EIGENPAIR) {
+        if (tests[i].name == TEST_EIGENPAIR || tests[i].name == TEST_EXACT) {
             if (a->choices->plainly_regular)
                 break;
             o = evaluate_scheme(a);
@@ -256,6 +278,16 @@ static bool describe(analysis *a)
     return f->eigenvalue != NULL;
 }
 
+static void free_pair(analysis *a, const eigenpair_choice *e)
+{
+    if (a->box)
+        number_array_free(a->box, eigenpair_box_size(a->order, e->complex_form));
+    if (a->matrix)
+        number_array_free(a->matrix, (size_t)a->order * (size_t)a->order);
+    sector_net_free(&a->net);
+    block_free(&a->dominant);
+}
+
 outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, long prec)
 {
     analysis a;
@@ -268,6 +300,10 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
     a.prec = prec;
     number_init(&a.scale);
     o = run_tests(&a);
+#if !defined(NUMBER_AFFINE)
+    if (p->picture && a.box)
+        picture_take(p->picture, &a);
+#endif
     if (o == OUTCOME_TRUE && !describe(&a))
         o = OUTCOME_NO_MEMORY;
     for (int i = 0; i < RING_NETS; i++) {
@@ -276,14 +312,13 @@ outcome run_analysis(findings *f, choices *c, analysis_plan *p, bool replay, lon
         if (a.patch[i].exact)
             patch_numbers_free(&a.patch[i]);
     }
-    if (a.box)
-        number_array_free(a.box, eigenpair_box_size(a.order, c->eigenpair.complex_form));
-    if (a.matrix)
-        number_array_free(a.matrix, (size_t)a.order * (size_t)a.order);
+    analysis_exchange(&a);
+    free_pair(&a, &c->eigenpair);
+    analysis_exchange(&a);
+    free_pair(&a, &c->eigenpair);
+    exact_free(&a);
     number_clear(&a.scale);
-    sector_net_free(&a.net);
     scheme_numbers_free(&a.numbers);
-    block_free(&a.dominant);
     return o;
 }
 

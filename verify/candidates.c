@@ -2,17 +2,18 @@
    largest. */
 #include "candidates.h"
 
-#include "../lib/block.h"
+#include "block_matrix.h"
+
 #include "../lib/eigen_approx.h"
-#include "../lib/spectrum.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 /* Blocks looked at in one pass over a range. */
 #define PASS 1500
-/* Smaller ones by more than this part of the largest are none. */
+/* Smaller ones by more than this part of the largest are none: doubles of simple eigenvalues, and of multiple ones. */
 #define NEARNESS 1e-6
+#define VAGUE_NEARNESS 1e-2
 /* Of the numbers from which the doubles are taken. */
 #define PRECISION 64
 
@@ -34,24 +35,15 @@ static double radius_of(const number *matrix, int n)
 /* Of block m, without the eigenvalue 1 of the vector of ones. */
 static status measure(double *radius, scheme_numbers *numbers, long m, diagnostic *d)
 {
-    block b;
-    status result = STATUS_NO_MEMORY;
-    block_status made = block_make(&b, numbers, m, numbers->scheme->mirror_symmetric, d);
+    int n;
+    bool complex_form;
+    status result;
+    number *matrix = block_matrix_make(&n, &complex_form, &result, numbers, m, d);
     *radius = 0;
-    if (made == BLOCK_OK) {
-        int n = b.n - 1;
-        number *matrix = m ? block_real_matrix(&n, &b) : number_array_new((size_t)n * (size_t)n);
-        if (matrix && m == 0)
-            matrix_deflate(matrix, b.entry, NULL, b.n, 0, PRECISION);
-        if (matrix) {
-            *radius = radius_of(matrix, n);
-            number_array_free(matrix, (size_t)n * (size_t)n);
-            result = STATUS_OK;
-        }
-    } else if (made != BLOCK_NO_MEMORY) {
-        result = STATUS_BAD_INPUT;
+    if (matrix) {
+        *radius = radius_of(matrix, n);
+        number_array_free(matrix, (size_t)n * (size_t)n);
     }
-    block_free(&b);
     return result;
 }
 
@@ -86,6 +78,10 @@ static status pass(candidates *z, scheme_numbers *numbers, long first, long last
             result = STATUS_NO_MEMORY;
         if (result == STATUS_OK)
             enter(z, m, radius);
+        if (result == STATUS_OK && m > 0 && 2 * m < numbers->k.first && radius > z->radius_of_pair) {
+            z->pair = m;
+            z->radius_of_pair = radius;
+        }
         if (last - m < step && m != last)
             m = last - step; /* the last one, too */
     }
@@ -98,6 +94,7 @@ status find(candidates *z, const scheme *s, long k, diagnostic *d)
     long first = 0, last = k / 2, step;
     status result = scheme_numbers_make(&numbers, s, k, PRECISION, d);
     z->count = 0;
+    z->radius_of_pair = 0;
     if (result == STATUS_OK)
         result = measure(&z->radius_of_one, &numbers, 1, d);
     if (result == STATUS_OK && isnan(z->radius_of_one))
@@ -111,8 +108,11 @@ status find(candidates *z, const scheme *s, long k, diagnostic *d)
         first = best - step > 0 ? best - step : 0;
         last = best + step < k / 2 ? best + step : k / 2;
     } while (result == STATUS_OK && step > 1);
-    while (z->count > 1 && !(z->radius[z->count - 1] >= z->radius[0] * (1 - NEARNESS)))
+    while (z->count > 1 && !(z->radius[z->count - 1] >= z->radius[0] * (1 - VAGUE_NEARNESS)))
         z->count--;
+    for (z->near = z->count; z->near > 1 && !(z->radius[z->near - 1] >= z->radius[0] * (1 - NEARNESS)); z->near--)
+        ;
+    z->near = z->near > CANDIDATES_MAX_NEAR ? CANDIDATES_MAX_NEAR : z->near;
     scheme_numbers_free(&numbers);
     return result;
 }

@@ -5,12 +5,15 @@
 
 #include "../lib/scheme.h"
 
-enum { CANDIDATES_MAX = 4 };
+enum { CANDIDATES_MAX = 64, CANDIDATES_MAX_NEAR = 4 };
 
 typedef struct {
-    int count;
-    long frequency[CANDIDATES_MAX]; /* by falling modulus, all about as large as the first */
+    int count;                      /* blocks whose largest modulus may be the largest of all, were it not for Jordan blocks */
+    int near;                       /* the first of them: about as large as the first, and no more than CANDIDATES_MAX_NEAR */
+    long frequency[CANDIDATES_MAX]; /* by falling modulus */
     double radius[CANDIDATES_MAX];
+    long pair;                      /* the block between 0 and k/2 with the largest modulus, */
+    double radius_of_pair;          /* this one; 0: there is none */
     double radius_of_one;           /* the largest modulus in block 1 */
 } candidates;
 

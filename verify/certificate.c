@@ -1,6 +1,7 @@
 /* certificate.c: writing, and reading what was written. */
 #include "certificate.h"
 
+#include "certificate_exact.h"
 #include "sha256.h"
 
 #include <inttypes.h>
@@ -31,38 +32,72 @@ static const char *letters(const tree_word *w)
 
 static void write_evidence(buffer *z, const choices *c)
 {
-    int witnesses = c->claim == CLAIM_NOT_C0 ? 1 : c->claim == CLAIM_FOLD ? 2 : 0;
     if (c->claim == CLAIM_C1) {
         buffer_print(z, "halfplane");
         write_long_hexadecimal(z, c->normal[0]);
         write_long_hexadecimal(z, c->normal[1]);
         buffer_print(z, "\nregularity %s\n", letters(&c->regularity));
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         buffer_print(z, "boundary %s\n", letters(&c->boundary));
-    for (int i = 0; i < witnesses; i++)
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
         buffer_print(z, "witness %d %s\n", c->witness[i].element, c->witness[i].depth ? c->witness[i].path : "-");
 }
 
-static const char *const reasons[] = {[CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold"};
-
-static void write_eigenpair(buffer *z, const choices *c)
+/* The range is that of pairs for several valences. */
+static void write_eigenpair(buffer *z, const eigenpair_choice *e)
 {
-    const eigenpair_choice *e = &c->eigenpair;
     int values = e->complex_form ? 2 : 1, others = e->n - values;
-    buffer_print(z, "form %s\npivot %d\n", c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->pivot + 1);
+    buffer_print(z, "pivot %d\n", e->pivot + 1);
     write_integers(z, "eigenvalue", e->approximation + others, values);
     write_integers(z, "eigenvector", e->approximation, others);
     write_integers(z, "radius", &e->radius, 1);
+    if (integer_sign(&e->range) > 0)
+        write_integers(z, "range", &e->range, 1);
     for (int i = 0; i < e->n; i++)
         write_integers(z, "inverse", &e->inverse[i * e->n], e->n);
+}
+
+static void write_form(buffer *z, const choices *c, const eigenpair_choice *e, bool plain)
+{
+    buffer_print(z, "form %s\n", plain ? "plain" : e->complex_form ? "complex" : "real");
+    write_eigenpair(z, e);
     if (e->complex_form)
         write_integers(z, "modulus", &c->modulus, 1);
 }
 
+/* "7", "8 20", "21 inf" */
+static void write_range(buffer *z, const char *name, long first, long last)
+{
+    buffer_print(z, "%s %ld", name, first);
+    if (last == VALENCES_UNBOUNDED)
+        buffer_print(z, " inf");
+    else
+        buffer_print(z, " %ld", last);
+}
+
+static void write_spectrum(buffer *z, const choices *c)
+{
+    for (size_t i = 0; i < c->blocks.count; i++)
+        buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
+    for (size_t i = 0; i < c->rise.count; i++) {
+        buffer_print(z, "rise %" PRIx64 " %d\n", c->rise.box[i].q, c->rise.box[i].power);
+        write_eigenpair(z, &c->rise.box[i].eigenpair);
+    }
+    for (size_t i = 0; i < c->spans.count; i++) {
+        write_range(z, "cover", c->spans.box[i].m.first, c->spans.box[i].m.last);
+        buffer_print(z, " %" PRIx64 " %d\n", c->spans.box[i].q, c->spans.box[i].power);
+    }
+}
+
 static void write_choices(buffer *z, const choices *c)
 {
-    buffer_print(z, "claim %s\nvalence %ld\ngrid %ld\n", c->claim == CLAIM_C1 ? "c1" : "not-c1", c->valence, c->grid);
+    buffer_print(z, "claim %s\n", c->claim == CLAIM_C1 ? "c1" : "not-c1");
+    if (is_one_valence(c->k))
+        buffer_print(z, "valence %ld", c->k.first);
+    else
+        write_range(z, "valence", c->k.first, c->k.last);
+    buffer_print(z, "\ngrid %ld\n", c->grid);
     buffer_print(z, "contraction %d %d %d\n", c->contraction[0], c->contraction[1], c->contraction[2]);
     if (c->plainly_regular)
         return;
@@ -71,10 +106,18 @@ static void write_choices(buffer *z, const choices *c)
         buffer_print(z, " %d %" PRId64, c->stability[i].power, c->stability[i].bound);
     buffer_print(z, "\n");
     if (c->claim != CLAIM_C1)
-        buffer_print(z, "reason %s\nfrequency %ld\n", reasons[c->claim], c->frequency);
-    write_eigenpair(z, c);
-    for (size_t i = 0; i < c->blocks.count; i++)
-        buffer_print(z, "block %ld %ld %d\n", c->blocks.box[i].m.first, c->blocks.box[i].m.last, c->blocks.box[i].power);
+        buffer_print(z, "reason %s\n", claim_name(c->claim));
+    if (c->claim != CLAIM_C1 && !claim_is_exact(c->claim))
+        buffer_print(z, "frequency %ld\n", c->frequency);
+    if (claim_is_exact(c->claim))
+        certificate_write_exact(z, c);
+    else
+        write_form(z, c, &c->eigenpair, c->frequency == 0);
+    if (c->claim == CLAIM_REAL) {
+        buffer_print(z, "second %ld\n", c->second_frequency);
+        write_form(z, c, &c->second, false);
+    }
+    write_spectrum(z, c);
     write_evidence(z, c);
 }
 
@@ -208,15 +251,17 @@ static void read_reason(reader *r, choices *c)
 {
     expect(r, "reason");
     c->claim = CLAIM_C1;
-    for (claim_kind k = CLAIM_FREQUENCY; k <= CLAIM_FOLD; k++)
-        if (comes_next(r, reasons[k]))
+    for (claim_kind k = CLAIM_FREQUENCY; k < CLAIMS; k++)
+        if (comes_next(r, claim_name(k)))
             c->claim = k;
     if (c->claim == CLAIM_C1)
         r->failed = true;
     else
-        expect(r, reasons[c->claim]);
+        expect(r, claim_name(c->claim));
+    if (claim_is_exact(c->claim))
+        return;
     expect(r, "frequency");
-    c->frequency = read_long(r, 10, 0, (c->valence - 1) / 2);
+    c->frequency = read_long(r, 10, 0, c->claim == CLAIM_REAL ? c->k.first / 2 : (c->k.first - 1) / 2);
     if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
         r->failed = true;
 }
@@ -240,11 +285,19 @@ static void read_witness(reader *r, witness_choice *z)
     z->depth = (int)length;
 }
 
-static void read_eigenpair(reader *r, choices *c)
+/* A radius: positive. */
+static void read_radius(reader *r, integer *z, const char *name)
 {
-    eigenpair_choice *e = &c->eigenpair;
+    expect(r, name);
+    read_integer(r, z, 16);
+    if (integer_sign(z) <= 0)
+        r->failed = true;
+}
+
+/* With the radius of the range, if `several` valences have it. */
+static void read_eigenpair(reader *r, eigenpair_choice *e, long grid, bool complex_form, bool several)
+{
     integer eigenvalue[2];
-    bool complex_form = read_form(r, c->frequency == 0);
     int values = complex_form ? 2 : 1, n, pivot;
     expect(r, "pivot");
     pivot = (int)read_long(r, 10, 1, CHOICES_MAX_ORDER);
@@ -256,7 +309,7 @@ static void read_eigenpair(reader *r, choices *c)
     n = count_words(r) + values;
     if (n / values < pivot || n > CHOICES_MAX_ORDER || n % values)
         r->failed = true;
-    if (!r->failed && !eigenpair_choice_make(e, n, c->grid))
+    if (!r->failed && !eigenpair_choice_make(e, n, grid))
         r->no_memory = r->failed = true;
     e->complex_form = complex_form;
     e->pivot = pivot - 1;
@@ -265,39 +318,110 @@ static void read_eigenpair(reader *r, choices *c)
         read_integer(r, &e->approximation[i], 16);
     for (int i = 0; !r->failed && i < values; i++)
         integer_swap(&e->approximation[n - values + i], &eigenvalue[i]);
-    expect(r, "radius");
-    read_integer(r, &e->radius, 16);
-    if (integer_sign(&e->radius) <= 0)
-        r->failed = true;
+    read_radius(r, &e->radius, "radius");
+    if (several)
+        read_radius(r, &e->range, "range");
     for (int i = 0; !r->failed && i < n; i++) {
         expect(r, "inverse");
         for (int j = 0; !r->failed && j < n; j++)
             read_integer(r, &e->inverse[i * n + j], 16);
     }
-    if (complex_form) {
-        expect(r, "modulus");
-        read_integer(r, &c->modulus, 16);
-    }
     integer_clear(&eigenvalue[0]);
     integer_clear(&eigenvalue[1]);
 }
 
-static void read_blocks(reader *r, choices *c)
+static void read_form_and_pair(reader *r, choices *c, eigenpair_choice *e, bool plain, bool several)
 {
-    long total = 0;
+    bool complex_form = read_form(r, plain);
+    read_eigenpair(r, e, c->grid, complex_form, several);
+    if (complex_form) {
+        expect(r, "modulus");
+        read_integer(r, &c->modulus, 16);
+    }
+}
+
+static void read_pair(reader *r, choices *c, bool several)
+{
+    read_form_and_pair(r, c, &c->eigenpair, c->frequency == 0, several);
+    if (c->claim != CLAIM_REAL)
+        return;
+    expect(r, "second");
+    c->second_frequency = read_long(r, 10, 1, (c->k.first - 1) / 2);
+    read_form_and_pair(r, c, &c->second, false, several);
+}
+
+/* Of all blocks of a certificate together. */
+static int read_power(reader *r, long *total)
+{
+    int power = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
+    *total += power;
+    if (*total > CHOICES_MAX_TOTAL_POWER)
+        r->failed = true;
+    return power;
+}
+
+static void read_blocks(reader *r, choices *c, long *total)
+{
     while (!r->failed && comes_next(r, "block")) {
         frequencies m;
         int power;
         expect(r, "block");
         m.first = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
         m.last = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
-        power = (int)read_long(r, 10, 0, CHOICES_MAX_POWER);
-        total += power;
-        if (c->blocks.count >= CHOICES_MAX_BLOCKS || total > CHOICES_MAX_TOTAL_POWER)
+        power = read_power(r, total);
+        if (c->blocks.count >= CHOICES_MAX_BLOCKS)
             r->failed = true;
         else if (!r->failed && !cover_list_add(&c->blocks, m, power))
             r->no_memory = r->failed = true;
     }
+}
+
+/* What ends a range: a number or `inf`. */
+static long read_last(reader *r, long low)
+{
+    if (!comes_next(r, "inf"))
+        return read_long(r, 10, low, CHOICES_MAX_VALENCE);
+    expect(r, "inf");
+    return VALENCES_UNBOUNDED;
+}
+
+static void read_rise(reader *r, choices *c, long *total)
+{
+    while (!r->failed && comes_next(r, "rise")) {
+        rise_box *box = c->rise.count < CHOICES_MAX_RISES ? rise_list_add(&c->rise) : NULL;
+        if (!box) {
+            r->no_memory = c->rise.count < CHOICES_MAX_RISES;
+            r->failed = true;
+            return;
+        }
+        expect(r, "rise");
+        box->q = read_long(r, 16, 0, ARC_HALF);
+        box->power = read_power(r, total);
+        read_eigenpair(r, &box->eigenpair, c->grid, false, true);
+    }
+}
+
+static void read_spans(reader *r, choices *c, long *total)
+{
+    while (!r->failed && comes_next(r, "cover")) {
+        span_box box;
+        expect(r, "cover");
+        box.m.first = read_long(r, 10, 0, CHOICES_MAX_VALENCE);
+        box.m.last = read_last(r, box.m.first);
+        box.q = read_long(r, 16, 0, ARC_HALF);
+        box.power = read_power(r, total);
+        if (c->spans.count >= CHOICES_MAX_BLOCKS)
+            r->failed = true;
+        else if (!r->failed && !span_list_add(&c->spans, box))
+            r->no_memory = r->failed = true;
+    }
+}
+
+static void read_exact(reader *r, choices *c)
+{
+    certificate_status s = r->failed ? CERTIFICATE_MALFORMED : certificate_read_exact(c, &r->at, r->end);
+    r->failed = s != CERTIFICATE_READ;
+    r->no_memory = r->no_memory || s == CERTIFICATE_NO_MEMORY;
 }
 
 static void read_evidence(reader *r, choices *c)
@@ -309,28 +433,30 @@ static void read_evidence(reader *r, choices *c)
             c->normal[i] = read_long(r, 16, 1 - normal_limit, normal_limit - 1);
         read_tree(r, &c->regularity, "regularity");
     }
-    if (c->claim == CLAIM_C1 || c->claim == CLAIM_FREQUENCY)
+    if (claim_has_boundary(c->claim))
         read_tree(r, &c->boundary, "boundary");
-    if (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[0]);
-    if (c->claim == CLAIM_FOLD)
-        read_witness(r, &c->witness[1]);
+    for (int i = 0; i < claim_witnesses(c->claim); i++)
+        read_witness(r, &c->witness[i]);
 }
 
 static void read_choices(reader *r, choices *c)
 {
-    bool c1;
+    bool c1, several;
+    long total = 0; /* of powers */
     expect(r, "claim");
     c1 = comes_next(r, "c1");
     expect(r, c1 ? "c1" : "not-c1");
     expect(r, "valence");
-    c->valence = read_long(r, 10, CHOICES_MIN_VALENCE, CHOICES_MAX_VALENCE);
+    several = count_words(r) > 0;
+    c->k = one_valence(read_long(r, 10, CHOICES_MIN_VALENCE, CHOICES_MAX_VALENCE));
+    if (several)
+        c->k.last = read_last(r, c->k.first + 1);
     expect(r, "grid");
     c->grid = read_long(r, 10, CHOICES_MIN_GRID, CHOICES_MAX_GRID);
     expect(r, "contraction");
     for (int i = 0; i < 3; i++)
         c->contraction[i] = (int)read_long(r, 10, 1, 10);
-    c->plainly_regular = c1 && comes_next(r, "records");
+    c->plainly_regular = c1 && !several && comes_next(r, "records");
     if (r->failed || c->plainly_regular)
         return;
     expect(r, "stability");
@@ -340,8 +466,17 @@ static void read_choices(reader *r, choices *c)
     }
     if (!c1)
         read_reason(r, c);
-    read_eigenpair(r, c);
-    read_blocks(r, c);
+    if (claim_is_exact(c->claim))
+        read_exact(r, c);
+    else
+        read_pair(r, c, several);
+    read_blocks(r, c, &total);
+    if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
+        r->failed = true; /* they need none */
+    if (several) {
+        read_rise(r, c, &total);
+        read_spans(r, c, &total);
+    }
     read_evidence(r, c);
 }
 

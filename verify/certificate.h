@@ -6,7 +6,7 @@
 #include "buffer.h"
 #include "choices.h"
 
-/* Appends the certificate that states: `s` is C1 at valence c->valence, because of the choices c. */
+/* Appends the certificate that states: `s` is C1 at the valences c->k, because of the choices c. */
 void certificate_write(buffer *z, const scheme *s, const choices *c);
 
 /* Reads a certificate for the scheme `s` back.  The text must be exactly what certificate_write makes of the

@@ -3,14 +3,25 @@
 
 #include <string.h>
 
+const char *claim_name(claim_kind c)
+{
+    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
+                                         [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one"};
+    return names[c];
+}
+
 void choices_init(choices *z)
 {
     memset(z, 0, sizeof *z);
     z->claim = CLAIM_C1;
     z->frequency = 1;
     eigenpair_choice_init(&z->eigenpair);
+    eigenpair_choice_init(&z->second);
+    exact_choice_init(&z->exact);
     integer_init(&z->modulus);
     cover_list_init(&z->blocks);
+    rise_list_init(&z->rise);
+    span_list_init(&z->spans);
     tree_init(&z->regularity);
     tree_init(&z->boundary);
 }
@@ -18,8 +29,12 @@ void choices_init(choices *z)
 void choices_clear(choices *z)
 {
     eigenpair_choice_clear(&z->eigenpair);
+    eigenpair_choice_clear(&z->second);
+    exact_choice_clear(&z->exact);
     integer_clear(&z->modulus);
     cover_list_clear(&z->blocks);
+    rise_list_clear(&z->rise);
+    span_list_clear(&z->spans);
     tree_clear(&z->regularity);
     tree_clear(&z->boundary);
     choices_init(z);

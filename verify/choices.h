@@ -7,6 +7,8 @@
 
 #include "../lib/cover_list.h"
 #include "../lib/eigenpair_choice.h"
+#include "../lib/range_choices.h"
+#include "exact_choice.h"
 #include "tree.h"
 
 #include <stdint.h>
@@ -20,6 +22,7 @@
 #define CHOICES_MAX_ORDER 1024
 #define CHOICES_MAX_POWER 10000
 #define CHOICES_MAX_BLOCKS 10000
+#define CHOICES_MAX_RISES 1000
 #define CHOICES_MAX_TOTAL_POWER 200000
 
 /* K <= bound / 1024, by the windows of the power's mask; power 0: no weight is negative (lib/stability.h). */
@@ -28,8 +31,15 @@ typedef struct {
     int64_t bound;
 } stability_choice;
 
-/* What a certificate proves: C1, or why not (verify/certificate.md, section 10). */
-typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD } claim_kind;
+/* What a certificate proves: C1, or why not (verify/certificate.md, section 10; those behind CLAIM_REAL verify/exact.md). */
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIMS } claim_kind;
+
+/* Does it rest on numbers being equal? */
+static inline bool claim_is_exact(claim_kind c) { return c == CLAIM_TIE || c == CLAIM_JORDAN || c == CLAIM_MODULUS_ONE; }
+/* How many witnesses it has. */
+static inline int claim_witnesses(claim_kind c) { return c == CLAIM_FOLD || c == CLAIM_TIE ? 2 : c == CLAIM_NOT_C0 || c == CLAIM_REAL || c == CLAIM_MODULUS_ONE ? 1 : 0; }
+/* Does it need a curve without a zero, or of winding number 1? */
+static inline bool claim_has_boundary(claim_kind c) { return c == CLAIM_C1 || c == CLAIM_FREQUENCY || c == CLAIM_JORDAN; }
 
 /* A descendant of an element of the ring: one child after the other. */
 typedef struct {
@@ -41,19 +51,27 @@ typedef struct {
 typedef struct {
     claim_kind claim;
     long frequency;       /* of the eigenvalue: 1 for C1 and folds */
-    long valence;
+    valence_range k;
     long grid;            /* g: units of 2^-g */
     int contraction[3];   /* N_1 N_2 N_3 */
     bool plainly_regular; /* nothing else is needed */
     stability_choice stability[3]; /* of values and both differences */
     eigenpair_choice eigenpair;
+    long second_frequency; /* of CLAIM_REAL: the block of the next eigenvalue, */
+    eigenpair_choice second; /* and its eigenpair */
+    exact_choice exact;   /* of claims that are exact, in place of the eigenpair */
     integer modulus;      /* ell < |L|, in the complex form */
-    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers */
+    cover_list blocks;    /* the frequencies 0, 1 ... k/2 in order, 0 and 1 by themselves, and their powers; of several valences
+                             only these two */
+    rise_list rise;       /* of several valences: near m/k = 0, where the largest eigenvalue rises, */
+    span_list spans;      /*   and all other blocks (verify/certificate-valences.md, 4) */
     long normal[2];       /* of the half-plane that holds one sector's outer curve */
     tree_word regularity;
     tree_word boundary;
-    witness_choice witness[2]; /* of CLAIM_NOT_C0 the first, of CLAIM_FOLD both */
+    witness_choice witness[2]; /* claim_witnesses of them */
 } choices;
+
+const char *claim_name(claim_kind c); /* as certificates call it */
 
 void choices_init(choices *z); /* of C1 */
 void choices_clear(choices *z);

@@ -22,6 +22,7 @@ int command_schemes(int argc, char **argv);
 int command_show(int argc, char **argv);
 int command_rerun(int argc, char **argv);
 int command_archive(int argc, char **argv);
+int command_report(int argc, char **argv);
 
 /* Complains on stderr, as "smoothcert: ...", and returns the status given. */
 int complain(int exit_status, const char *format, ...)

@@ -3,14 +3,17 @@
 #include "command.h"
 
 #include "archive.h"
+#include "archive_index.h"
 #include "archive_run.h"
+#include "classification.h"
 #include "command_out.h"
 #include "command_scheme.h"
 #include "escalate.h"
 #include "keeper.h"
+#include "partition.h"
 #include "progress.h"
 #include "prove_output.h"
-#include "valences.h"
+#include "valence_list.h"
 #include "workers.h"
 
 #include "../bigfloat/interval.h"
@@ -27,7 +30,9 @@ static const char help[] =
     "Usage: smoothcert prove SCHEME --valence LIST [OPTION]...\n"
     "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
     "\n"
-    "  --valence LIST        valences, such as 7 or 3..20,50\n"
+    "  --valence LIST        valences, such as 7 or 3..20,50 or 8..inf or all; up to 1,000 of them are\n"
+    "                        examined one by one, more in ranges, as wide as can be decided at once\n"
+    "  --each                one by one, however many they are (100,000 at most)\n"
     "  --set NAME=VALUE      another value for a parameter of the scheme (may be repeated)\n"
     "  --method METHOD       adaptive (default), or uniform: the reference for triangle meshes, which\n"
     "                        subdivides everywhere alike and bounds the error of the whole net; the\n"
@@ -44,6 +49,9 @@ static const char help[] =
     "  --json                one JSON object per valence and line\n"
     "  --help                this text\n";
 
+/* More valences than that are examined in ranges, unless --each is given, which goes farther. */
+enum { MAX_EACH = 1000, MAX_EACH_FORCED = 100000 };
+
 typedef struct {
     scheme_options scheme;
     const char *list;
@@ -51,6 +59,7 @@ typedef struct {
     limits limits;
     long jobs;
     bool uniform;
+    bool each;
     bool json;
 } options;
 
@@ -60,11 +69,14 @@ typedef struct {
     scheme scheme;
     problem problem;
     uniform_bounds uniform;
-    valences valences;
+    valence_list list;
     archive archive;
     keeper keeper;
     progress progress;
     long reported;
+    bool in_ranges;
+    classification classification; /* of ranges */
+    archive_index earlier;         /* what was there before, then */
     int result;
 } prove_run;
 
@@ -103,6 +115,9 @@ static int read_option(options *o, int option, const char *value)
     case 'o':
         o->out = value;
         return -1;
+    case 'e':
+        o->each = true;
+        return -1;
     case 'J':
         o->json = true;
         return -1;
@@ -118,7 +133,8 @@ static int read_options(options *o, int argc, char **argv)
         {"valence", required_argument, NULL, 'v'},   {"set", required_argument, NULL, 's'},       {"precision", required_argument, NULL, 'p'},
         {"max-precision", required_argument, NULL, 'm'}, {"max-level", required_argument, NULL, 'l'}, {"time-limit", required_argument, NULL, 't'},
         {"jobs", required_argument, NULL, 'j'},      {"out", required_argument, NULL, 'o'},       {"json", no_argument, NULL, 'J'},
-        {"method", required_argument, NULL, 'M'},    {"help", no_argument, NULL, 'h'},                {NULL, 0, NULL, 0},
+        {"method", required_argument, NULL, 'M'},    {"each", no_argument, NULL, 'e'},               {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
     };
     int option, result;
     memset(o, 0, sizeof *o);
@@ -195,8 +211,8 @@ static void *decide(long i, void *data)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    a->earlier = archive_read(&r->archive, &earlier, one_valence(valences_get(&r->valences, i)));
-    decide_valence(&a->decision, &r->problem, valences_get(&r->valences, i), &earlier, &r->options.limits);
+    a->earlier = archive_read(&r->archive, &earlier, one_valence(valence_list_get(&r->list, i)));
+    decide_valence(&a->decision, &r->problem, valence_list_get(&r->list, i), &earlier, &r->options.limits);
     buffer_clear(&earlier);
     return a;
 }
@@ -212,13 +228,13 @@ static bool report(prove_run *r, const answer *a)
 {
     const decision *d = &a->decision;
     if (a->earlier == EARLIER_DAMAGED)
-        complain(0, "%s: the certificate for valence %ld is not the one that was finished; it is made anew", r->archive.path, d->valence);
+        complain(0, "%s: the certificate for valence %ld is not the one that was finished; it is made anew", r->archive.path, d->k.first);
     if (d->verdict == VERDICT_UNDECIDED && deadline_interrupted()) {
         raise_result(r, EXIT_INTERRUPTED);
         return false;
     }
     if (d->outcome == OUTCOME_NO_MEMORY) {
-        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->valence));
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory at valence %ld; what was finished before is kept", d->k.first));
         return false;
     }
     if (d->outcome == OUTCOME_BAD_INPUT) {
@@ -253,7 +269,7 @@ static bool keep_all(prove_run *r, answer *const *answers, int count)
     for (int i = 0; kept == ARCHIVE_OK && i < count; i++) {
         if (!answers[i] || !is_worth_keeping(answers[i]))
             continue;
-        from = from ? from : answers[i]->decision.valence;
+        from = from ? from : answers[i]->decision.k.first;
         kept = archive_keep(&r->archive, &answers[i]->certificate, &answers[i]->decision, answers[i]->earlier);
     }
     if (kept == ARCHIVE_OK)
@@ -270,7 +286,11 @@ static bool report_next(prove_run *r, const answer *a)
     if (!a)
         raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
     r->reported++;
-    if (go_on && deadline_interrupted() && r->reported < r->valences.count) {
+    if (go_on && r->in_ranges && !classification_add(&r->classification, &a->decision)) {
+        raise_result(r, complain(EXIT_NO_MEMORY, "no memory"));
+        go_on = false;
+    }
+    if (go_on && deadline_interrupted() && r->reported < r->list.count) {
         raise_result(r, EXIT_INTERRUPTED);
         go_on = false;
     }
@@ -312,17 +332,81 @@ static void heed_interrupts(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+/* ---- one by one, or in ranges ---- */
+
+static bool decide_each(prove_run *r)
+{
+    workers w = {r->list.count, (int)r->options.jobs, decide, finish, discard, r};
+    return workers_run(&w);
+}
+
+static bool take(decision *d, void *data)
+{
+    prove_run *r = data;
+    answer *a = calloc(1, sizeof *a);
+    buffer unused;
+    if (a) {
+        a->decision = *d;
+        decision_init(d);
+        buffer_init(&unused);
+        a->earlier = archive_read(&r->archive, &unused, a->decision.k);
+        buffer_clear(&unused);
+    }
+    return keeper_put(&r->keeper, a);
+}
+
+/* The index has longer ranges before shorter ones. */
+static valence_range find_earlier(buffer *certificate, long k, long last, void *data)
+{
+    prove_run *r = data;
+    for (size_t i = 0; i < r->earlier.count; i++) {
+        const archive_index_entry *e = &r->earlier.entry[i];
+        if (e->valences.first == k && e->valences.last <= last && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
+            return e->valences;
+    }
+    return one_valence(k);
+}
+
+static void summarise(const prove_run *r)
+{
+    buffer text;
+    buffer_init(&text);
+    if (r->options.json) {
+        buffer_print(&text, "{\"scheme\":\"%s\",\"boxes\":%ld,", r->scheme.name, r->classification.boxes);
+        classification_print_json(&text, &r->classification);
+        buffer_print(&text, "}");
+    } else {
+        buffer_print(&text, "%s, in %ld %s: ", r->scheme.name, r->classification.boxes, r->classification.boxes == 1 ? "box" : "boxes");
+        classification_print(&text, &r->classification);
+    }
+    if (!text.failed)
+        puts(text.bytes);
+    buffer_clear(&text);
+}
+
+static bool decide_ranges(prove_run *r)
+{
+    partition p = {&r->problem, &r->options.limits, find_earlier, take, r};
+    bool more = !r->archive.path || archive_index_make(&r->earlier, r->archive.path, &r->archive.finished);
+    if (!more)
+        raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", r->archive.path, strerror(errno)));
+    for (int i = 0; more && i < r->list.ranges; i++)
+        more = partition_run(&p, r->list.range[i]);
+    return true;
+}
+
 static int decide_all(prove_run *r)
 {
-    workers w = {r->valences.count, (int)r->options.jobs, decide, finish, discard, r};
     bool ran;
-    progress_begin(&r->progress, r->valences.count);
+    progress_begin(&r->progress, r->list.count);
     keeper_start(&r->keeper);
-    ran = workers_run(&w);
+    ran = (r->in_ranges ? decide_ranges : decide_each)(r);
     keeper_finish(&r->keeper);
     progress_clear(&r->progress);
     if (!ran)
         return complain(EXIT_NO_MEMORY, "no memory");
+    if (r->classification.count)
+        summarise(r);
     if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT) {
         int written = command_write_index(&r->archive);
         if (written)
@@ -331,6 +415,19 @@ static int decide_all(prove_run *r)
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
     return r->result;
+}
+
+/* One by one, or in ranges?  These need the real form. */
+static int prepare_ranges(prove_run *r)
+{
+    bool each = r->options.each || r->list.count <= MAX_EACH || (!r->scheme.mirror_symmetric && r->list.count <= MAX_EACH_FORCED);
+    r->in_ranges = !each;
+    if (each && r->list.count > MAX_EACH_FORCED)
+        return complain(EXIT_USAGE, "--each examines at most %d valences in a run", MAX_EACH_FORCED);
+    if (!each && !r->scheme.mirror_symmetric)
+        return complain(EXIT_USAGE, "ranges of valences need a scheme that is evidently mirror-symmetric, which %s is not; name at most %d valences", r->scheme.name,
+                        MAX_EACH_FORCED);
+    return -1;
 }
 
 /* What the uniform method needs, where it is wanted. */
@@ -354,7 +451,7 @@ static int prove(prove_run *r)
     int result = scheme_options_load(&r->scheme, &r->options.scheme);
     if (result >= 0)
         return result;
-    complaint = valences_read(&r->valences, r->options.list);
+    complaint = valence_list_read(&r->list, r->options.list);
     if (complaint)
         return complain(EXIT_USAGE, "--valence %s: %s", r->options.list, complaint);
     if (!interval_self_test()) {
@@ -364,6 +461,9 @@ static int prove(prove_run *r)
     if (!problem_make(&r->problem, &r->scheme))
         return complain(EXIT_NO_MEMORY, "no memory");
     result = prepare_method(r);
+    if (result >= 0)
+        return result;
+    result = prepare_ranges(r);
     if (result >= 0)
         return result;
     result = open_archive(r);
@@ -385,13 +485,18 @@ int command_prove(int argc, char **argv)
     scheme_init(&r.scheme);
     problem_init(&r.problem);
     uniform_bounds_init(&r.uniform);
-    r.valences.count = 0;
+    r.list.count = 0;
+    r.in_ranges = false;
+    classification_init(&r.classification);
+    archive_index_init(&r.earlier);
     r.reported = 0;
     r.keeper = (keeper){.keep = keep_group, .discard = discard, .data = &r};
     archive_init(&r.archive);
     heed_interrupts();
     result = prove(&r);
     archive_clear(&r.archive);
+    archive_index_clear(&r.earlier);
+    classification_clear(&r.classification);
     buffer_clear(&r.command);
     uniform_bounds_clear(&r.uniform);
     problem_clear(&r.problem);

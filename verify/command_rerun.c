@@ -67,7 +67,7 @@ static int keep(rerun_run *r, const decision *d)
     archive_earlier earlier;
     bool ok;
     buffer_init(&bytes);
-    earlier = archive_read(&r->archive, &bytes, one_valence(d->valence));
+    earlier = archive_read(&r->archive, &bytes, d->k);
     buffer_clear(&bytes);
     ok = archive_keep(&r->archive, &certificate, d, earlier) == ARCHIVE_OK && archive_commit(&r->archive) == ARCHIVE_OK;
     free(certificate);

@@ -4,6 +4,7 @@
 
 #include "choices.h"
 #include "command_scheme.h"
+#include "consistency.h"
 #include "escalate.h"
 #include "spectrum_list.h"
 
@@ -157,7 +158,9 @@ static void print_entry(const spectrum_entry *e)
         printf("  %s  + i (%s)", e->re, e->im);
     else
         printf("  %s", e->re);
-    if (e->re && e->count > 1)
+    if (e->re && e->count > 1 && e->real)
+        printf("   (%d times)", e->count);
+    else if (e->re && e->count > 1)
         printf("   (%d eigenvalues with multiplicity, that near)", e->count);
     if (e->re)
         printf("\n");
@@ -233,7 +236,7 @@ static void print_range(const spectrum_range *r)
         printf("  nothing proved\n");
 }
 
-static void print_text(const scheme *s, long valence, const found *f)
+static void print_text(const scheme *s, long valence, const found *f, const consistency *other)
 {
     const spectrum_list *l = &f->list;
     size_t range = 0;
@@ -254,9 +257,12 @@ static void print_text(const scheme *s, long valence, const found *f)
     while (range < l->ranges)
         print_range(&l->range[range++]);
     print_summary(l, &f->summary);
+    if (other)
+        consistency_print(other);
 }
 
-static void print_json(const scheme *s, long valence, const found *f)
+/* other: NULL if nothing else is known. */
+static void print_json(const scheme *s, long valence, const found *f, const consistency *other)
 {
     const spectrum_list *l = &f->list;
     printf("{\"scheme\":\"%s\",\"valence\":%ld,\"precision\":%ld,\"eigenvalues\":[", s->name, valence, f->precision ? f->precision : 53);
@@ -281,6 +287,8 @@ static void print_json(const scheme *s, long valence, const found *f)
         printf("null");
     if (f->summary.dominant < 0 && l->top >= 0 && !l->ordered)
         printf(",\"open\":{\"first\":%ld,\"last\":%ld}", l->open.first, l->open.last);
+    if (other)
+        consistency_print_json(other);
     printf("}\n");
 }
 
@@ -347,10 +355,20 @@ static int list_spectrum(const options *o, const scheme *s)
 {
     found f;
     diagnostic d;
+    consistency other;
+    bool compares = o->valence <= CONSISTENCY_MAX_VALENCE, broken = false;
     status result = find_best(&f, o, s, &d);
+    if (result == STATUS_OK && compares) {
+        status compared = consistency_make(&other, s, o->valence, &f.list, f.summary.dominant, !may_use_doubles());
+        compares = compared == STATUS_OK;
+        broken = compares && consistency_is_broken(&other);
+        result = compared == STATUS_NO_MEMORY ? compared : STATUS_OK;
+    }
     if (result == STATUS_OK)
-        (o->json ? print_json : print_text)(s, o->valence, &f);
+        (o->json ? print_json : print_text)(s, o->valence, &f, compares ? &other : NULL);
     spectrum_list_clear(&f.list);
+    if (broken)
+        return complain(EXIT_FAULT, "spectrum: two proved statements about %s at valence %ld contradict each other; please report this", s->name, o->valence);
     if (result == STATUS_BAD_INPUT)
         return complain_of_scheme(o->scheme.name, &d);
     return result == STATUS_OK ? 0 : complain(EXIT_NO_MEMORY, "no memory");

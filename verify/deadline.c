@@ -22,6 +22,16 @@ bool deadline_passed(const deadline *d)
     return interrupted || (d && d->at > 0 && deadline_now() >= d->at);
 }
 
+static bool passed(const void *data)
+{
+    return deadline_passed(data);
+}
+
+stop_sign deadline_sign(const deadline *d)
+{
+    return (stop_sign){passed, d};
+}
+
 void deadline_interrupt(void)
 {
     interrupted = 1;

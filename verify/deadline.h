@@ -2,7 +2,7 @@
 #ifndef VERIFY_DEADLINE_H
 #define VERIFY_DEADLINE_H
 
-#include <stdbool.h>
+#include "../lib/stop.h"
 
 typedef struct {
     double at; /* on deadline_now's clock; 0: never */
@@ -12,6 +12,9 @@ typedef struct {
 double deadline_now(void);
 /* d = NULL: only interrupts count. */
 bool deadline_passed(const deadline *d);
+
+/* The same question for lib/stop.h.  The deadline is kept by the caller. */
+stop_sign deadline_sign(const deadline *d);
 
 /* From a signal handler: everything stops soon. */
 void deadline_interrupt(void);

@@ -48,7 +48,7 @@ static outcome bound_real(analysis *a)
     number_init(&modulus);
     number_init(&lower);
     number_set(&modulus, &a->box[a->order]);
-    if ((claim == CLAIM_FREQUENCY || claim == CLAIM_NOT_C0) && number_is_negative(&modulus) == TRUTH_TRUE)
+    if ((claim == CLAIM_FREQUENCY || claim == CLAIM_NOT_C0 || claim == CLAIM_REAL) && number_is_negative(&modulus) == TRUTH_TRUE)
         number_neg(&modulus, &modulus);
     if (!is_on_its_side(a, &modulus))
         o = explain_side(a, "the dominant eigenvalue");

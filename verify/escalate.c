@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A box of valences that needs more is better cut in two. */
+#define RANGE_MAX_ELEMENTS 20000
+
 void decision_init(decision *z)
 {
     memset(z, 0, sizeof *z);
@@ -47,12 +50,12 @@ static outcome replay(decision *z, const analysis_plan *p, const buffer *certifi
     choices_init(&c);
     if (certificate->failed || !certificate_read(&c, &line, p->problem->scheme, certificate->bytes, certificate->length))
         o = OUTCOME_NO_MEMORY;
-    else if (line || c.valence != z->valence) {
+    else if (line || c.k.first != z->k.first || c.k.last != z->k.last) {
         findings_begin(&z->findings, "certificate", "grid", c.grid);
         o = findings_explain(&z->findings, OUTCOME_FALSE, "the certificate does not read back (line %ld): this is a fault of the program", line);
         findings_last(&z->findings)->outcome = o;
     } else
-        o = analysis_replay_grid(&z->findings, &c, &plan, c.grid);
+        o = analysis_replay(&z->findings, &c, &plan);
     if (o == OUTCOME_TRUE)
         take_over(z, &c);
     choices_clear(&c);
@@ -95,7 +98,7 @@ static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *pla
     outcome o;
     choices_init(&c);
     z->findings.eigenvalue = NULL;
-    o = refute(&z->findings, &c, s, plan, z->valence, precision);
+    o = refute(&z->findings, &c, s, plan, z->k.first, precision);
     if (o == OUTCOME_TRUE) {
         refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
         o = certify(z, &c, plan);
@@ -112,16 +115,22 @@ static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *pla
     return o;
 }
 
-/* One rung of the ladder: precision 0 is hardware intervals.  OUTCOME_TRUE: there is a verdict. */
-static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspicion *s, const limits *l, long precision)
+/* One rung of the ladder: precision 0 is hardware intervals. */
+static void set_rung(decision *z, analysis_plan *plan, const limits *l, long precision)
 {
     bool hardware = precision == 0;
-    outcome o, refuted;
     z->system = plan->system = hardware ? "interval" : "ball";
     z->precision = hardware ? 53 : precision;
     plan->max_level = l->max_level ? l->max_level : 12 + (int)(precision / 64);
     if (plan->max_level > TREE_MAX_DEPTH)
         plan->max_level = TREE_MAX_DEPTH;
+}
+
+/* OUTCOME_TRUE: there is a verdict. */
+static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspicion *s, const limits *l, long precision)
+{
+    outcome o, refuted;
+    set_rung(z, plan, l, precision);
     o = try_to_prove(z, c, plan, precision);
     if (o == OUTCOME_TRUE || o == OUTCOME_STOPPED || o == OUTCOME_NO_MEMORY || o == OUTCOME_BAD_INPUT || !plan->found[TEST_REGULAR_COMPLEX])
         return o;
@@ -139,13 +148,12 @@ static bool is_uniform_open(const analysis_plan *plan)
 /* What looks like the opposite at so many precisions in a row, and is not refuted, will hardly be decided by more. */
 enum { MOST_CONTRARY = 4 };
 
-static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
+static outcome climb(decision *z, choices *c, analysis_plan *plan, suspicion *s, const limits *l)
 {
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
-    suspicion s = {.made = false};
     int contrary = 0;
     for (;;) {
-        outcome o = try_precision(z, c, plan, &s, l, precision);
+        outcome o = try_precision(z, c, plan, s, l, precision);
         contrary = o == OUTCOME_FALSE ? contrary + 1 : 0;
         if (o == OUTCOME_UNDEFINED && is_uniform_open(plan))
             return o;
@@ -159,32 +167,69 @@ static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limi
     }
 }
 
-/* Does a certificate of an earlier run prove it?  OUTCOME_NO_MEMORY is not told from "no": then it is proved anew. */
-static bool is_proved_before(decision *z, const analysis_plan *plan, const buffer *earlier)
+static outcome escalate(decision *z, choices *c, analysis_plan *plan, const limits *l)
 {
-    if (!earlier || !earlier->length)
+    suspicion s = {.made = false};
+    outcome o = climb(z, c, plan, &s, l);
+    if ((o == OUTCOME_FAIL || o == OUTCOME_FALSE) && !plan->found[TEST_SPECTRUM])
+        refute_note_gap(&z->findings.attempts[z->obstacle], &s, plan, z->k.first, strcmp(z->system, "ball") ? 0 : z->precision);
+    return o;
+}
+
+/* OUTCOME_NO_MEMORY is not told from "no": then it is proved anew. */
+bool decide_by_certificate(decision *z, const problem *p, valence_range k, const buffer *certificate, const limits *l)
+{
+    double start = deadline_now();
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline};
+    stop_sign before;
+    bool proved;
+    z->k = k;
+    if (l->precision || l->uniform || !certificate || !certificate->length)
         return false;
-    if (replay(z, plan, earlier) == OUTCOME_TRUE) {
-        buffer_append(&z->certificate, earlier->bytes, earlier->length);
-        z->kept_before = true;
-        return true;
+    before = stop_watch(deadline_sign(&l->deadline));
+    proved = replay(z, &plan, certificate) == OUTCOME_TRUE;
+    stop_watch(before);
+    if (!proved) {
+        findings_clear(&z->findings);
+        return false;
     }
-    findings_clear(&z->findings);
-    return false;
+    buffer_append(&z->certificate, certificate->bytes, certificate->length);
+    z->kept_before = true;
+    z->outcome = OUTCOME_TRUE;
+    z->seconds = deadline_now() - start;
+    return true;
 }
 
 void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l)
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .uniform = l->uniform};
+    stop_sign before;
+    choices c;
+    if (decide_by_certificate(z, p, one_valence(valence), earlier, l))
+        return;
+    before = stop_watch(deadline_sign(&l->deadline));
+    choices_init(&c);
+    c.k = z->k;
+    z->outcome = escalate(z, &c, &plan, l);
+    choices_clear(&c);
+    stop_watch(before);
+    z->seconds = deadline_now() - start;
+}
+
+void decide_range(decision *z, const problem *p, valence_range k, const limits *l)
+{
+    double start = deadline_now();
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS};
+    long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
+    stop_sign before;
     choices c;
     choices_init(&c);
-    z->valence = valence;
-    c.valence = valence;
-    if (!l->precision && !l->uniform && is_proved_before(z, &plan, earlier))
-        z->outcome = OUTCOME_TRUE;
-    else
-        z->outcome = escalate(z, &c, &plan, l);
+    c.k = z->k = k;
+    set_rung(z, &plan, l, precision);
+    before = stop_watch(deadline_sign(&l->deadline));
+    z->outcome = try_to_prove(z, &c, &plan, precision);
     choices_clear(&c);
+    stop_watch(before);
     z->seconds = deadline_now() - start;
 }

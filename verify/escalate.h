@@ -19,7 +19,7 @@ typedef struct {
 #define LIMITS_MAX_PRECISION CHOICES_MAX_GRID
 
 typedef struct {
-    long valence;
+    valence_range k;          /* which valences it is about */
     verdict verdict;
     outcome outcome;          /* of the last attempt that counts: why the verdict is not another */
     bool plainly_regular;     /* proved by the regular part alone */
@@ -44,6 +44,13 @@ void decision_clear(decision *z);
    outcome OUTCOME_NO_MEMORY: nothing was decided for lack of memory; OUTCOME_BAD_INPUT: the scheme has no meaning at this
    valence, the last attempt's reason is "LINE:COLUMN: ..."; OUTCOME_STOPPED: the deadline. */
 void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l);
+
+/* The same for all valences of a range of several, at one precision: that of the limits, or hardware intervals.  VERDICT_UNDECIDED
+   says nothing of smaller ranges. */
+void decide_range(decision *z, const problem *p, valence_range k, const limits *l);
+
+/* Does the certificate prove its claim for these valences?  Else nothing is decided. */
+bool decide_by_certificate(decision *z, const problem *p, valence_range k, const buffer *certificate, const limits *l);
 
 /* The attempt that says why the verdict is undecided. */
 const attempt *decision_obstacle(const decision *z);

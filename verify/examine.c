@@ -96,7 +96,7 @@ static bool read_choices(examination *z, const examine_subject *s)
 static bool follow(examination *z, const examine_subject *s, const deadline *d)
 {
     analysis_plan plan = {.problem = &s->problem, .deadline = d, .system = "grid"};
-    z->followed = analysis_replay_grid(&z->findings, &z->choices, &plan, z->choices.grid);
+    z->followed = analysis_replay(&z->findings, &z->choices, &plan);
     return z->followed != OUTCOME_NO_MEMORY;
 }
 

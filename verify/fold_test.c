@@ -2,8 +2,7 @@
    10).  Compiled once per number system. */
 #include "tests.h"
 
-/* z += sign J, data: the sign, a long. */
-static void signed_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec)
+void analysis_signed_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
     const long *sign = data;
     number j;
@@ -23,7 +22,7 @@ outcome test_fold(analysis *a)
     const ring *g = &a->plan->problem->geometry;
     outcome o = OUTCOME_TRUE;
     for (int i = 0; o == OUTCOME_TRUE && i < 2; i++) {
-        adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .quantity = signed_jacobian, .data = &signs[i], .boxes_only = true};
+        adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .quantity = analysis_signed_jacobian, .data = &signs[i], .boxes_only = true};
         o = analysis_seek(a, &task, &a->choices->witness[i], g->elements, g->element_count);
     }
     if (o == OUTCOME_FALSE)

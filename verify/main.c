@@ -19,6 +19,7 @@ static const char help[] =
     "Proves that a subdivision scheme is C1 at extraordinary vertices, with certificates.\n"
     "\n"
     "  smoothcert prove SCHEME --valence LIST [OPTION]...   prove, and keep certificates\n"
+    "  smoothcert report DIR [OPTION]...                    a page with figures of what was proved\n"
     "  smoothcert spectrum SCHEME --valence K [OPTION]...   all eigenvalues, enclosed\n"
     "  smoothcert regular SCHEME [OPTION]...                norms and bounds on regular meshes, exactly\n"
     "  smoothcert schemes [NAME]                            list the catalogue, or print a scheme\n"
@@ -91,5 +92,7 @@ int main(int argc, char **argv)
         return command_rerun(argc - 1, argv + 1);
     if (!strcmp(argv[1], "archive"))
         return command_archive(argc - 1, argv + 1);
+    if (!strcmp(argv[1], "report"))
+        return command_report(argc - 1, argv + 1);
     return complain(EXIT_USAGE, "unknown command '%s'; 'smoothcert --help' lists them", argv[1]);
 }

@@ -1,7 +1,9 @@
 /* prove_output.c: figures as bounds, sentences as JSON strings. */
 #include "prove_output.h"
 
+#include "advice.h"
 #include "json.h"
+#include "valence_range.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -31,6 +33,14 @@ static void describe_system(char *text, size_t size, const char *system, long pr
         snprintf(text, size, "exact arithmetic");
 }
 
+/* "valence 7", "valences 8..20" */
+static void describe_valences(char *text, size_t size, valence_range k)
+{
+    char range[VALENCE_RANGE_TEXT];
+    valence_range_print(range, k);
+    snprintf(text, size, "valence%s %s", is_one_valence(k) ? "" : "s", range);
+}
+
 static void print_figures(const decision *d)
 {
     const findings *f = &d->findings;
@@ -46,9 +56,10 @@ static void print_figures(const decision *d)
 
 void prove_print_line(const char *name, const decision *d, const char *certificate)
 {
-    char system[64];
+    char system[64], valences[64];
+    describe_valences(valences, sizeof valences, d->k);
     if (d->verdict == VERDICT_PROVED) {
-        printf("proved: %s is C1 at valence %ld; ", name, d->valence);
+        printf("proved: %s is C1 at %s; ", name, valences);
         describe_system(system, sizeof system, d->plainly_regular || d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -59,7 +70,7 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s", system);
         }
     } else if (d->verdict == VERDICT_REFUTED) {
-        printf("refuted: %s is not C1 at valence %ld; ", name, d->valence);
+        printf("refuted: %s is not C1 at %s; ", name, valences);
         describe_system(system, sizeof system, d->kept_before ? "exact" : d->system, d->precision);
         if (d->kept_before)
             printf("by the certificate of an earlier run, followed once more");
@@ -67,8 +78,10 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
             printf("%s; L = %s, %s", d->reason, d->findings.eigenvalue, system);
     } else {
         const attempt *a = decision_obstacle(d);
+        char advice[256];
         describe_system(system, sizeof system, a->system, a->precision);
-        printf("undecided: %s at valence %ld; %s: %s; last tried with %s", name, d->valence, a->test, a->reason, system);
+        advise(advice, sizeof advice, d);
+        printf("undecided: %s at %s; %s: %s; last tried with %s; %s", name, valences, a->test, a->reason, system, advice);
     }
     printf(", %.3g s", d->seconds);
     if (certificate)
@@ -77,6 +90,17 @@ void prove_print_line(const char *name, const decision *d, const char *certifica
 }
 
 /* ---- JSON ---- */
+
+/* Of one valence the number, of several the first and the last one, which is null if there is none. */
+static void write_valences(buffer *b, valence_range k)
+{
+    if (is_one_valence(k))
+        buffer_print(b, "\"valence\":%ld", k.first);
+    else if (k.last == VALENCES_UNBOUNDED)
+        buffer_print(b, "\"valences\":[%ld,null]", k.first);
+    else
+        buffer_print(b, "\"valences\":[%ld,%ld]", k.first, k.last);
+}
 
 /* Of the trees of the certificate, and of the uniform method. */
 static void write_levels(buffer *b, const findings *f)
@@ -103,7 +127,9 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
     const attempt *a = decision_obstacle(d);
     buffer b;
     buffer_init(&b);
-    buffer_print(&b, "{\"scheme\":\"%s\",\"valence\":%ld,\"verdict\":\"%s\"", name, d->valence, verdict_name(d->verdict));
+    buffer_print(&b, "{\"scheme\":\"%s\",", name);
+    write_valences(&b, d->k);
+    buffer_print(&b, ",\"verdict\":\"%s\"", verdict_name(d->verdict));
     if (d->verdict == VERDICT_PROVED && !d->plainly_regular && !d->kept_before)
         write_findings(&b, &d->findings);
     if (d->kept_before) {
@@ -117,8 +143,11 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
         json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);
     } else {
+        char advice[256];
+        advise(advice, sizeof advice, d);
         json_add_string(&b, "test", a->test);
         json_add_string(&b, "reason", a->reason);
+        json_add_string(&b, "advice", advice);
         json_add_string(&b, "system", a->system);
         buffer_print(&b, ",\"precision\":%ld", a->precision);
     }
@@ -134,7 +163,8 @@ void prove_write_log(buffer *b, const decision *d)
 {
     for (int i = 0; i < d->findings.attempt_count; i++) {
         const attempt *a = &d->findings.attempts[i];
-        buffer_print(b, "{\"valence\":%ld", d->valence);
+        buffer_print(b, "{");
+        write_valences(b, d->k);
         json_add_string(b, "test", a->test);
         json_add_string(b, "system", a->system);
         buffer_print(b, ",\"precision\":%ld,\"max_level\":%d,\"level\":%d,\"elements\":%ld", a->precision, a->max_level, a->level, a->elements);
@@ -147,7 +177,8 @@ void prove_write_log(buffer *b, const decision *d)
         buffer_print(b, "}\n");
     }
     if (d->findings.uniform) {
-        buffer_print(b, "{\"valence\":%ld", d->valence);
+        buffer_print(b, "{");
+        write_valences(b, d->k);
         json_add_string(b, "test", "both methods");
         write_levels(b, &d->findings);
         json_add_string(b, "outcome", verdict_name(d->verdict));

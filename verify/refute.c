@@ -1,22 +1,56 @@
 /* refute.c: the reasons, one after the other. */
 #include "refute.h"
 
+#include "exact_search.h"
+#include "gap.h"
+
 #include <stdio.h>
 #include <string.h>
 
 /* A radius this near to 1 may be beyond. */
 #define NEARLY_ONE (1 - 1e-9)
+/* What is exactly equal is looked for when this many bits tell nothing. */
+#define EXACT_PRECISION 128
 
-static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, long valence, long precision)
+static outcome attempt_choices(findings *f, choices *c, const analysis_plan *plan, long precision)
 {
     analysis_plan own = {.problem = plan->problem, .max_level = plan->max_level, .deadline = plan->deadline, .system = plan->system};
-    choices_clear(c);
-    c->claim = claim;
-    c->frequency = frequency;
-    c->valence = valence;
     f->level = 0;
     f->elements = 0;
     return analysis_search(f, c, &own, precision);
+}
+
+static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, long valence, long precision)
+{
+    choices_clear(c);
+    c->claim = claim;
+    c->frequency = frequency;
+    c->k = one_valence(valence);
+    return attempt_choices(f, c, plan, precision);
+}
+
+/* A single real function in front of all, and then the pair of blocks that comes next. */
+static outcome attempt_real(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, long valence, long precision)
+{
+    if (!(s->candidates.radius_of_pair > 0 && s->candidates.radius_of_pair < s->candidates.radius[i]))
+        return OUTCOME_FAIL;
+    choices_clear(c);
+    c->claim = CLAIM_REAL;
+    c->frequency = s->candidates.frequency[i];
+    c->second_frequency = s->candidates.pair;
+    c->k = one_valence(valence);
+    return attempt_choices(f, c, plan, precision);
+}
+
+/* Numbers that are equal, which no precision tells. */
+static outcome attempt_exact(findings *f, choices *c, suspicion *s, const analysis_plan *plan, long valence, long precision)
+{
+    truth found;
+    choices_clear(c);
+    c->k = one_valence(valence);
+    found = exact_search(&c->exact, &c->claim, plan->problem->scheme, valence, &s->candidates);
+    s->no_exact = found == TRUTH_UNKNOWN;
+    return found == TRUTH_TRUE ? attempt_choices(f, c, plan, precision) : found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : OUTCOME_FAIL;
 }
 
 static bool is_final(outcome o)
@@ -34,7 +68,7 @@ static outcome look_for_candidates(suspicion *s, const analysis_plan *plan, long
                       : candidates_find_ball(&s->candidates, plan->problem->scheme, valence, &unused);
     s->made = true;
     if (result != STATUS_OK)
-        s->candidates.count = 0;
+        s->candidates.count = s->candidates.near = 0;
     return result == STATUS_NO_MEMORY ? OUTCOME_NO_MEMORY : OUTCOME_TRUE;
 }
 
@@ -46,16 +80,52 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
     o = OUTCOME_FAIL;
     if (s->folds)
         o = attempt_claim(f, c, plan, CLAIM_FOLD, 1, valence, precision);
-    for (int i = 0; !is_final(o) && i < s->candidates.count; i++) {
+    for (int i = 0; !is_final(o) && i < s->candidates.near; i++) {
         long m = s->candidates.frequency[i];
-        if (2 * m == valence)
-            continue;
-        if (s->candidates.radius[i] > NEARLY_ONE)
+        bool real = m == 0 || 2 * m == valence;
+        if (2 * m != valence && s->candidates.radius[i] > NEARLY_ONE)
             o = attempt_claim(f, c, plan, CLAIM_NOT_C0, m, valence, precision);
-        if (!is_final(o) && m != 1)
+        if (!is_final(o) && m != 1 && 2 * m != valence)
             o = attempt_claim(f, c, plan, CLAIM_FREQUENCY, m, valence, precision);
+        if (!is_final(o) && real)
+            o = attempt_real(f, c, s, plan, i, valence, precision);
     }
+    if (!is_final(o) && precision >= EXACT_PRECISION && s->candidates.count && !s->no_exact)
+        o = attempt_exact(f, c, s, plan, valence, precision);
     return is_final(o) ? o : OUTCOME_FAIL;
+}
+
+void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, long valence, long precision)
+{
+    size_t length = strlen(a->reason);
+    long bits;
+    if (precision == 0 || s->candidates.near < 2 || gap_between_ball(&bits, plan->problem->scheme, valence, s->candidates.frequency, precision) != TRUTH_TRUE || bits < precision / 2)
+        return;
+    snprintf(a->reason + length, sizeof a->reason - length, "; the gap to block %ld is at most 2^-%ld after %ld bits: possibly an exact tie",
+             s->candidates.frequency[s->candidates.frequency[0] == 1], bits, precision);
+}
+
+/* The two blocks that count. */
+static void describe_tie(char *text, size_t size, const exact_choice *e, double l)
+{
+    int which[2] = {0, 0}, found = 0;
+    for (int i = 0; i < e->count && found < 2; i++)
+        if (e->line[i].column)
+            which[found++] = i;
+    snprintf(text, size, "blocks %ld and %ld share the largest modulus exactly (%.8f%s); there is no tangent plane", e->line[which[0]].frequency, e->line[which[1]].frequency, l,
+             e->line[which[0]].size > 1 ? ", in Jordan blocks of the same size" : "");
+}
+
+static void describe_jordan(char *text, size_t size, const choices *c, double l)
+{
+    int q = 1;
+    for (int i = 0; i < c->exact.count; i++)
+        if (c->exact.line[i].column)
+            q = c->exact.line[i].size;
+    if (c->frequency)
+        snprintf(text, size, "frequency %ld dominates (%.8f exactly, in a Jordan block of %d rows, the largest); the surface would wind %ld times", c->frequency, l, q, c->frequency);
+    else
+        snprintf(text, size, "frequency 0 dominates (%.8f exactly, in a Jordan block of %d rows, the largest); nothing turns round the point", l, q);
 }
 
 void refute_describe(char *text, size_t size, const choices *c, const findings *f, const suspicion *s)
@@ -73,6 +143,19 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
         break;
     case CLAIM_FOLD:
         snprintf(text, size, "the characteristic map folds; its Jacobian has both signs");
+        break;
+    case CLAIM_REAL:
+        snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); the normals have no limit", c->frequency, l, c->second_frequency,
+                 s->candidates.radius_of_pair);
+        break;
+    case CLAIM_TIE:
+        describe_tie(text, size, &c->exact, l);
+        break;
+    case CLAIM_JORDAN:
+        describe_jordan(text, size, c, l);
+        break;
+    case CLAIM_MODULUS_ONE:
+        snprintf(text, size, "block %ld has the eigenvalue %d exactly; there is no continuous limit", c->frequency, c->exact.line[0].sign);
         break;
     default:
         text[0] = '\0';

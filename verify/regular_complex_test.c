@@ -15,7 +15,7 @@ outcome test_regular_complex(analysis *a)
     status s;
     if (p->obstacle)
         return findings_explain(a->findings, OUTCOME_UNDEFINED, "%s", p->obstacle);
-    s = problem_is_plainly_regular(&plainly, p, c->valence, &d);
+    s = is_one_valence(c->k) ? problem_is_plainly_regular(&plainly, p, c->k.first, &d) : STATUS_OK; /* a range never is */
     if (s != STATUS_OK)
         return s == STATUS_NO_MEMORY ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_BAD_INPUT, "%ld:%ld: %s", d.line, d.column, d.text);
     if (!plainly && p->special_obstacle)

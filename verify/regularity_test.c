@@ -1,8 +1,7 @@
 /* regularity_test.c: the Jacobian of the characteristic map on the ring (verify/certificate.md, section 8). */
 #include "tests.h"
 
-/* z += J = x1 y2 - y1 x2 of the derivatives (x1, y1), (x2, y2). */
-static void jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec)
+void adaptive_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
     (void)data;
     number_addmul(z, x[0], y[1], prec);
@@ -12,7 +11,7 @@ static void jacobian(number *z, const number *const x[], const number *const y[]
 outcome test_regularity(analysis *a)
 {
     const ring *g = &a->plan->problem->geometry;
-    adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .quantity = jacobian};
+    adaptive_task task = {.nets = 2, .which = {RING_FIRST, RING_SECOND}, .quantity = adaptive_jacobian};
     outcome o = analysis_subdivide(a, &task, &a->choices->regularity, g->elements, g->element_count);
     a->findings->jacobian = findings_last(a->findings)->bound;
     if (o == OUTCOME_UNDEFINED)

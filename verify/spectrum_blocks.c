@@ -54,7 +54,7 @@ static bool add_disc(spectrum_list *z, const eigenvalue_disc *d, const block *b,
     bound_modulus(&e->modulus_lower, &e->modulus_upper, d, prec);
     bound_part(&part, e, 0, d, prec);
     e->re = number_get_decimal(&part, digits);
-    e->one = b->m == 0 && d->real && number_contains(&part, &one); /* 1 is an eigenvalue of block 0, and discs are disjoint */
+    e->one = b->m == 0 && d->real && d->count == 1 && number_contains(&part, &one);
     if (!d->real) {
         bound_part(&part, e, 1, d, prec);
         e->im = number_get_decimal(&part, digits);
@@ -136,6 +136,7 @@ status list_blocks(spectrum_list *z, const scheme *s, long k, int digits, long p
 {
     scheme_numbers numbers;
     status result = scheme_numbers_make(&numbers, s, k, prec, d);
+    numbers.any_mask = true;
     for (long m = 0; result == STATUS_OK && m <= k / 2; m++)
         result = spectrum_list_block(z, &numbers, m, digits, d);
     scheme_numbers_free(&numbers);

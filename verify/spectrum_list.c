@@ -49,12 +49,24 @@ bool spectrum_list_add_range(spectrum_list *z, frequencies m, double upper)
     return true;
 }
 
+static bool may_be_one(const spectrum_entry *e)
+{
+    return e->m == 0 && (!e->re || (e->lower[0] <= 1 && 1 <= e->upper[0] && e->lower[1] <= 0 && 0 <= e->upper[1]));
+}
+
+/* 1 is an eigenvalue of block 0, so if only one entry may contain it, that one does.  (Discs are disjoint, but the bounds
+   of entries, which were rounded once more, may not be.) */
 long spectrum_find_one(const spectrum_list *z)
 {
-    for (size_t i = 0; i < z->count; i++)
-        if (z->entry[i].one)
-            return (long)i;
-    return -1;
+    long found = -1;
+    for (size_t i = 0; i < z->count; i++) {
+        if (!may_be_one(&z->entry[i]))
+            continue;
+        if (found >= 0 || !z->entry[i].one)
+            return -1;
+        found = (long)i;
+    }
+    return found;
 }
 
 /* May the conjugate of a number near x be near y? */

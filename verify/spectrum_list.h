@@ -10,8 +10,8 @@
 typedef struct {
     long m;
     int count;
-    bool real;
-    bool one;        /* a single one of block 0 near 1: hence 1 itself */
+    bool real;       /* all of them are; if there are several, re is exact */
+    bool one;        /* a single one of block 0, real, that may be 1 */
     bool real_block; /* of a real matrix, whose eigenvalues come with their conjugates */
     char *re, *im;   /* decimals that enclose real and imaginary part; im is NULL for real ones */
     double modulus_lower, modulus_upper;
@@ -42,7 +42,7 @@ void spectrum_list_clear(spectrum_list *z);
 /* A new last entry, zeroed; NULL: no memory. */
 spectrum_entry *spectrum_list_add(spectrum_list *z);
 
-/* The index of the eigenvalue 1 of block 0; -1: it cannot be told from others. */
+/* The index of the eigenvalue 1 of block 0, which has one; -1: it cannot be told from others. */
 long spectrum_find_one(const spectrum_list *z);
 /* Are the entries i and j certainly two conjugate eigenvalues of one block? */
 bool spectrum_is_conjugate_pair(const spectrum_list *z, size_t i, size_t j);

@@ -103,15 +103,10 @@ static bool take_boxes(cover_list *z, const cover_list *blocks, frequencies m, s
     return true;
 }
 
-static bool no_time_left(const void *data)
-{
-    return deadline_passed(data);
-}
-
 /* All blocks of a range, in which the one of L is not, as lib/cover.h has it. */
 static outcome prove_range(analysis *a, frequencies m, size_t *next)
 {
-    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true, {no_time_left, a->plan->deadline}};
+    const cover_limits limits = {4 * CHOICES_MAX_BLOCKS, 0, CHOICES_MAX_POWER, true};
     cover_list *blocks = &a->choices->blocks, boxes;
     cover_answer answer;
     diagnostic d;
@@ -123,7 +118,7 @@ static outcome prove_range(analysis *a, frequencies m, size_t *next)
         cover_list_clear(&boxes);
         return OUTCOME_NO_MEMORY;
     }
-    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &limits.stop, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
+    answer = a->replay ? cover_verify(&boxes, &a->numbers, &a->scale, m, &d) : cover_search(&boxes, &a->numbers, &a->scale, m, &limits, &d);
     o = analysis_from_block(a, answer.status, &d);
     if (o == OUTCOME_TRUE && answer.stopped)
         o = findings_explain(a->findings, OUTCOME_STOPPED, "no time left");
@@ -146,27 +141,72 @@ static bool is_within_limits(const cover_list *blocks)
     return total <= CHOICES_MAX_TOTAL_POWER && blocks->count <= CHOICES_MAX_BLOCKS;
 }
 
+/* The blocks from m.first to m.last, 0 among them or not. */
+static outcome prove_between(analysis *a, frequencies m, size_t *next)
+{
+    outcome o = OUTCOME_TRUE;
+    if (m.first == 0 && m.last >= 0) {
+        o = prove_plain(a, next);
+        m.first = 1;
+    }
+    return o == OUTCOME_TRUE ? prove_range(a, m, next) : o;
+}
+
+/* The i-th of the blocks that are treated otherwise, by rising frequency: they are known exactly, or have the eigenvalues of
+   the eigenpairs. */
+static long special_block(const choices *c, int i)
+{
+    if (claim_is_exact(c->claim))
+        return c->exact.line[i].frequency;
+    if (c->claim == CLAIM_REAL && (c->second_frequency < c->frequency) == (i == 0))
+        return c->second_frequency;
+    return c->frequency;
+}
+
+static outcome prove_special(analysis *a, long m, size_t *next)
+{
+    bool second = a->choices->claim == CLAIM_REAL && m == a->choices->second_frequency;
+    outcome o;
+    if (claim_is_exact(a->choices->claim))
+        return OUTCOME_TRUE;
+    if (second)
+        analysis_exchange(a);
+    o = prove_dominant(a, next);
+    if (second)
+        analysis_exchange(a);
+    return o;
+}
+
+/* All blocks; of the special ones what is left. */
+static outcome prove_all(analysis *a, size_t *next)
+{
+    const choices *c = a->choices;
+    int special = claim_is_exact(c->claim) ? c->exact.count : c->claim == CLAIM_REAL ? 2 : 1;
+    long first = 0;
+    outcome o = OUTCOME_TRUE;
+    for (int i = 0; o == OUTCOME_TRUE && i < special; i++) {
+        long m = special_block(c, i);
+        o = prove_between(a, (frequencies){first, m - 1}, next);
+        if (o == OUTCOME_TRUE)
+            o = prove_special(a, m, next);
+        first = m + 1;
+    }
+    return o == OUTCOME_TRUE ? prove_between(a, (frequencies){first, c->k.first / 2}, next) : o;
+}
+
 outcome test_spectrum(analysis *a)
 {
     cover_list *blocks = &a->choices->blocks;
-    long f = a->choices->frequency, half = a->choices->valence / 2;
     size_t next = 0;
-    outcome o = OUTCOME_TRUE;
+    outcome o;
     if (!a->replay) {
         blocks->count = 0;
         a->findings->runner_up = 0;
         a->findings->runner_up_block = 0;
     }
-    if (f > 0)
-        o = prove_plain(a, &next);
-    if (o == OUTCOME_TRUE)
-        o = prove_range(a, (frequencies){1, f - 1}, &next);
-    if (o == OUTCOME_TRUE)
-        o = prove_dominant(a, &next);
-    if (o == OUTCOME_TRUE)
-        o = prove_range(a, (frequencies){f + 1, half}, &next);
+    o = prove_all(a, &next);
     if (o == OUTCOME_TRUE && next != blocks->count)
-        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", half);
+        o = findings_explain(a->findings, OUTCOME_FALSE, "there are boxes of more blocks than 0 to %ld", a->choices->k.first / 2);
     if (o == OUTCOME_TRUE && !is_within_limits(blocks))
         o = findings_explain(a->findings, OUTCOME_FALSE, "the eigenvalues are separated, but only by powers or blocks beyond the limits of certificates (%d, %d)",
                              CHOICES_MAX_TOTAL_POWER, CHOICES_MAX_BLOCKS);

@@ -17,13 +17,34 @@
 #define test_zero_free NUMBER_NAME(test_zero_free)
 #define test_nonzero NUMBER_NAME(test_nonzero)
 #define test_fold NUMBER_NAME(test_fold)
+#define test_second NUMBER_NAME(test_second)
+#define test_real NUMBER_NAME(test_real)
+#define analysis_exchange NUMBER_NAME(analysis_exchange)
+#define analysis_signed_jacobian NUMBER_NAME(analysis_signed_jacobian)
+#define real_windows NUMBER_NAME(real_windows)
+#define test_exact NUMBER_NAME(test_exact)
+#define test_exact_witnesses NUMBER_NAME(test_exact_witnesses)
+#define exact_free NUMBER_NAME(exact_free)
 #define analysis_seek NUMBER_NAME(analysis_seek)
+#define analysis_seek_nonzero NUMBER_NAME(analysis_seek_nonzero)
 
-#define analysis_from_block NUMBER_NAME(analysis_from_block)
+#define outcome_from_block NUMBER_NAME(outcome_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
 #define analysis_uniform NUMBER_NAME(analysis_uniform)
+#define adaptive_jacobian NUMBER_NAME(adaptive_jacobian)
+#define picture_take NUMBER_NAME(picture_take)
+
+/* One eigenpair and its net. */
+typedef struct {
+    block dominant;
+    number *matrix;
+    int order;
+    number *box;
+    sector_net net;
+    bool net_made;
+} analysis_pair;
 
 typedef struct {
     analysis_plan *plan;
@@ -41,6 +62,9 @@ typedef struct {
     number scale;      /* thin, >= 1/|L|, after test_eigenpair */
     sector_net net;    /* of the characteristic map, after analysis_make_net */
     bool net_made;
+    analysis_pair other; /* of CLAIM_REAL: the second one, or, between two exchanges, the first */
+    const int *mixed;    /* NULL; in test_real, the components of both that make one net */
+    struct exact_state *exact; /* of claims that are exact: exact_test.h */
     uniform_net *uniform; /* values and both derivatives at one level, in the tests of the uniform method */
 } analysis;
 
@@ -59,14 +83,36 @@ outcome test_injectivity(analysis *a);
 /* The eigenfunction has no zero on the ring's outer curve. */
 outcome test_zero_free(analysis *a);
 
+/* z += J = x1 y2 - y1 x2 of the derivatives (x1, y1), (x2, y2). */
+void adaptive_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec);
+
 /* The eigenfunction is not 0 somewhere on the outer curve. */
 outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
 
+/* CLAIM_REAL: the second eigenvalue is simple in its block, and smaller than the first; the scale is its own. */
+outcome test_second(analysis *a);
+/* CLAIM_REAL: the Jacobian of both eigenfunctions is not 0 somewhere on the ring. */
+outcome test_real(analysis *a);
+/* Exchanges both eigenpairs, with their choices. */
+void analysis_exchange(analysis *a);
+/* z += sign J, data: the sign, a long; x[0], y[0] and x[1], y[1] are the derivatives in both directions. */
+void analysis_signed_jacobian(number *z, const number *const x[], const number *const y[], const void *data, long prec);
+/* The windows of a net that has one component of each pair's net. */
+block_status real_windows(charnet_windows *z, const analysis *a, int which, const element *elements, int count);
+
+/* The blocks of the choices have the eigenvalue that they are said to have, exactly, in Jordan blocks that are no larger;
+   all their other eigenvalues are smaller (but of CLAIM_MODULUS_ONE).  Leaves the first eigenvector that counts. */
+outcome test_exact(analysis *a);
+/* The eigenfunctions that count are not 0. */
+outcome test_exact_witnesses(analysis *a);
+void exact_free(analysis *a);
+
 /* What a block's status means for a test, explained in the last attempt; d: the complaint that belongs to BLOCK_BAD_INPUT
    (NULL where that cannot be). */
-outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d);
+outcome outcome_from_block(findings *f, block_status s, const diagnostic *d);
+static inline outcome analysis_from_block(analysis *a, block_status s, const diagnostic *d) { return outcome_from_block(a->findings, s, d); }
 /* The enclosure of the blocks first..last; OUTCOME_TRUE, or why it could not be made.  On any outcome block_free. */
 outcome analysis_make_block(block *b, analysis *a, long first, long last);
 /* The control net of the characteristic map, if it is not made yet. */
@@ -79,8 +125,15 @@ outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, co
    witness that there is. */
 outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
 
+/* The same where the eigenfunction of the net is not 0, on the outer curve. */
+outcome analysis_seek_nonzero(analysis *a, witness_choice *witness);
+
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.
    OUTCOME_UNDEFINED: more levels may help; OUTCOME_FAIL: more precision. */
 outcome analysis_uniform(analysis *a);
+
+/* A picture of the map of the eigenpair in a->box, and of the choices' trees in a replay; OUTCOME_FALSE if no eigenpair is
+   proved.  Nothing can be seen of block 0. */
+outcome picture_take(picture *p, analysis *a);
 
 #endif

@@ -1,8 +1,10 @@
-/* valence_range.h: what one piece of evidence speaks of: one valence, or all of a range that may have no end (VALENCES_UNBOUNDED). */
+/* valence_range.h: what one piece of evidence speaks of: one valence, or all of a range that may have no end. */
 #ifndef VERIFY_VALENCE_RANGE_H
 #define VERIFY_VALENCE_RANGE_H
 
 #include "../lib/exact_range.h"
+
+#include <stdbool.h>
 
 /* Room for any of them as text. */
 enum { VALENCE_RANGE_TEXT = 48 };

@@ -100,9 +100,53 @@ static void test_dot(void)
     test_end();
 }
 
+enum { MOST_SQUARE = 11 };
+static interval matrix[MOST_SQUARE * MOST_SQUARE];
+
+static INTERVAL_NOINLINE void row_by_hand(size_t n, bool negative)
+{
+    for (size_t l = 0; l < n; l++)
+        for (size_t j = 0; j < n; j++)
+            (negative ? interval_submul : interval_addmul)(&w[j], &x[l], &matrix[l * n + j], 0);
+}
+
+/* Of random matrices half are tame; one entry of some of these is not. */
+static void fill_matrix(size_t n)
+{
+    bool tame = random_bool();
+    fill(n);
+    for (size_t i = 0; i < n * n; i++) {
+        random_interval(&matrix[i]);
+        if (tame)
+            interval_set_doubles(&matrix[i], (double)random_range(-100, 5) / 3, (double)random_range(5, 100) / 7);
+    }
+    if (n > 0 && random_below(4) == 0)
+        interval_set_doubles(&matrix[random_below(n * n)], -1, random_bool() ? HUGE_VAL : DBL_MAX);
+    if (n > 0 && random_below(4) == 0)
+        interval_set_doubles(&x[random_below(n)], random_bool() ? -HUGE_VAL : -DBL_MAX, 3);
+}
+
+static void test_row(void)
+{
+    test_begin("batch-row");
+    for (test_cases(5000); test_next();) {
+        size_t n = (size_t)random_below(MOST_SQUARE + 1);
+        bool negative = random_bool();
+        fill_matrix(n);
+        interval_mode mode = interval_enter();
+        row_by_hand(n, negative);
+        interval_batch_row(z, x, matrix, n, negative);
+        interval_leave(mode);
+        for (size_t j = 0; j < n; j++)
+            CHECK(same(&z[j], &w[j]), "column %zu of %zu: [%a, %a] [%a, %a]", j, n, -z[j].neg_lower, z[j].upper, -w[j].neg_lower, w[j].upper);
+    }
+    test_end();
+}
+
 int main(void)
 {
     test_operations();
+    test_row();
     test_dot();
     return test_status();
 }

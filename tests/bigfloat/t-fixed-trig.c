@@ -141,7 +141,7 @@ static void test_drafts(void)
             MUST(fraction_sin_small(&sine, &y));
             CHECK(agree(&sine, n, &Sine, N), "small sine, %d limbs", (int)n);
         }
-        MUST(angle_complement(&y)); /* now wrong */
+        MUST(fraction_angle_complement(&y)); /* now wrong */
         MUST(fraction_cos(&cosine, &y));
         CHECK(agree(&cosine, n, &Sine, N), "cosine of the complement, %d limbs", (int)n);
     }
@@ -204,7 +204,7 @@ static void test_other_angles(void)
         angle y = {w, n, 0}, Y = {W, N, 0};
         random_angle(w, n, 0xcc00000000000000);
         extend(W, N, w, n);
-        MUST(angle_complement(&y) && angle_complement(&Y));
+        MUST(fraction_angle_complement(&y) && fraction_angle_complement(&Y));
         CHECK(angles_agree(&y, &Y), "complement, %d limbs", (int)n);
         rational r;
         rational_init(&r);
@@ -216,7 +216,7 @@ static void test_other_angles(void)
                 random_rational(&r, 3);
                 MUST(rational_abs(&r, &r));
             } while (rational_cmp_si(&r, 1, 1) >= 0);
-        MUST(angle_of_turns(&y, &r) && angle_of_turns(&Y, &r));
+        MUST(fraction_angle_of_turns(&y, &r) && fraction_angle_of_turns(&Y, &r));
         CHECK(angles_agree(&y, &Y), "turns, %d limbs", (int)n);
         rational_clear(&r);
         ball x;
@@ -225,7 +225,7 @@ static void test_other_angles(void)
         ball_midpoint(&x, &x, 1000);
         if (x.size) {
             ball_mul_2exp(&x, &x, (long)(random_range(1, 140) - ball_top(&x)), 1000);
-            MUST(angle_set_inverse(&y, &x) && angle_set_inverse(&Y, &x));
+            MUST(fraction_angle_set_inverse(&y, &x) && fraction_angle_set_inverse(&Y, &x));
             CHECK(angles_agree(&y, &Y), "inverse, %d limbs", (int)n);
         }
         ball_clear(&x);
@@ -257,7 +257,7 @@ static void test_angles(void)
             angle y = {w, n, 0}, Y = {W, N, 0};
             unsigned turn = 0, Turn = 0;
             bool minus = false, Minus = false;
-            MUST(angle_reduce(&y, &turn, &minus, &x) && angle_reduce(&Y, &Turn, &Minus, &x));
+            MUST(fraction_angle_reduce(&y, &turn, &minus, &x) && fraction_angle_reduce(&Y, &Turn, &Minus, &x));
             if (turn == Turn && minus == Minus) /* else next to pi/4 */
                 CHECK(angles_agree(&y, &Y), "angle, %d limbs", (int)n);
             CHECK(w[n] == 0 && w[n - 1] < 0xcc00000000000000, "angle too large");

@@ -46,7 +46,7 @@ arguments() {
   expect unknown-option 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 --quiet "$good"
   expect parameter 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 --set w=1 "$good"
   expect value-missing 2 "$cannot" "$good" --valence 3 --claim c1 --scheme
-  for valence in '' 03 +3 -3 3.0 0x3 3,4 3..5 ' 3' '3 ' all inf 2 0 3, 5..3 1000000001 4294967299 18446744073709551619 99999999999999999999999; do
+  for valence in '' 03 +3 -3 3.0 0x3 3,5 ' 3' '3 ' ALL inf 3..inf.. 3.. 3..Inf 2..inf 2 0 3, 5..3 1000000001 4294967299 18446744073709551619 99999999999999999999999; do
     expect "valence-'$valence'" 2 "${cannot}" --scheme "$loop" --valence "$valence" --claim c1 "$good"
   done
   expect claim-not-c1 1 'claim: expected not-c1' --scheme "$loop" --valence 3 --claim not-c1 "$good"
@@ -57,7 +57,9 @@ arguments() {
   expect no-such-certificate 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 ./nowhere.cert
   expect no-such-scheme 2 "$cannot" --scheme ./nowhere.scheme --valence 3 --claim c1 "$good"
   mkdir folder
-  expect folder-for-certificate 2 "$cannot" --scheme "$loop" --valence 3 --claim c1 folder
+  expect several-valences 1 'valence: expected 3..5' --scheme "$loop" --valence 3..5 --claim c1 "$good"
+  expect all-valences 1 'valence: expected 3..inf' --scheme "$loop" --valence all --claim c1 "$good"
+  expect folder-for-certificate 1 'no certificate in folder is about valence 3' --scheme "$loop" --valence 3 --claim c1 folder
   expect folder-for-scheme 2 "$cannot" --scheme folder --valence 3 --claim c1 "$good"
   expect exchanged 1 "$loop:1: expected \`smoothcert-certificate\`" --scheme "$good" --valence 3 --claim c1 "$loop"
   expect scheme-for-certificate 1 "$loop:1: expected \`smoothcert-certificate\`" --scheme "$loop" --valence 3 --claim c1 "$loop"

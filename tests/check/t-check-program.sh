@@ -1,6 +1,6 @@
 #!/bin/sh
-# The independent checker as a program: good certificates, good certificates with one lie each, scheme
-# files, the command line. One line for each test, PASS or FAIL; exit status 0 iff none failed.
+# The independent checker as a program: good certificates of version 0, with one lie each, scheme files, the
+# command line (those of version 1: tests/certificates/reject-1.sh). One line for each test, PASS or FAIL; exit status 0 iff none failed.
 #
 # SMOOTHCERT_CHECK is the program; certificates and schemes lie beside this script.
 set -u
@@ -278,178 +278,6 @@ EOF
 finish "$work/lie" "$work/lie.cert"
 answer box-opposite 2 'opposite' --scheme "$work/box.scheme" --valence 5 --claim c1 "$work/lie.cert"
 
-# Version 1: good certificates of tests/certificates/accept-1 with one lie each.
-
-# lie_1 NAME STATUS PATTERN CERTIFICATE SCHEME VALENCE SED-COMMAND [OPTION...]
-lie_1() {
-  name=$1 status=$2 pattern=$3 lied=$5 valence=$6
-  sed -e '/^records/,$d' -e "$7" "$here/../certificates/accept-1/$4.cert" >"$work/lie"
-  finish "$work/lie" "$work/lie.cert"
-  shift 7
-  answer "lie-1-$name" "$status" "$pattern" --scheme "$here/../../lib/catalogue/$lied.scheme" "$@" \
-    --valence "$valence" --claim c1 "$work/lie.cert"
-}
-
-thousand() { lie_1 "$1" "$2" "$3" loop-1000 loop 1000 "$4"; }
-thousand nothing 0 '^verified' ''
-thousand block-gap 1 'block: expected' '/^block 2 /d'
-thousand block-twice 1 'block: expected' 's/^block 2 .*/&\
-&/'
-thousand block-of-0-and-1 1 'block: expected' 's/^block 0 0 /block 0 1 /'
-thousand block-of-1-and-2 1 'block: expected' 's/^block 1 1 /block 1 2 /'
-thousand block-0-missing 1 'block: expected' '/^block 0 /d'
-thousand block-last-missing 1 'are missing' '/^block [0-9]* 500 /d'
-thousand block-beyond 1 'block: expected' 's/^\(block [0-9]* \)500 /\1501 /'
-thousand block-backward 1 'block: expected' 's/^block 2 [0-9]* /block 2 1 /'
-thousand block-power-none 1 'block 2 are not proved' 's/^\(block 2 [0-9]* \).*/\10/'
-thousand block-all-in-one 1 'block 2' '/^block [3-9]/d
-/^block [0-9][0-9]/d
-s/^block 2 .*/block 2 500 3/'
-thousand block-limit 2 'block' 's/^\(block 2 [0-9]* \).*/\110001/'
-thousand stability-small 1 'stability: expected 0 1024' 's/^stability 0 1024/stability 0 1023/'
-thousand stability-large 1 'stability: expected 0 1024' 's/^stability 0 1024/stability 1 2000/'
-thousand form-complex 1 '' 's/^form real/form complex/'
-thousand form-none 1 'form' 's/^form real/form simple/'
-thousand modulus 1 'expected .block' 's/^block 0 /modulus 1\
-&/'
-thousand power-line 1 'expected .block' 's/^block 0 .*/power 1 1/'
-
-spiral() { lie_1 "$1" "$2" "$3" loop-spiral-5 loop-spiral 5 "$4"; }
-spiral spiral-nothing 0 '^verified' ''
-spiral spiral-form-real 1 'form: the scheme is not evidently mirror-symmetric' 's/^form complex/form real/'
-spiral spiral-modulus-0 1 'modulus' 's/^modulus .*/modulus 0/'
-spiral spiral-modulus-negative 1 'modulus' 's/^modulus /modulus -/'
-spiral spiral-modulus-above 1 'modulus' 's/^modulus .*/modulus 89dc63c3ba2db000/'
-spiral spiral-modulus-small 1 'block' 's/^modulus .*/modulus 100000000/'
-spiral spiral-modulus-missing 1 'expected .modulus' '/^modulus/d'
-spiral spiral-eigenvalue-real 1 'Krawczyk' 's/^eigenvalue \([^ ]*\) .*/eigenvalue \1 0/'
-spiral spiral-eigenvalue-conjugate 1 'Krawczyk' 's/^eigenvalue \([^ ]*\) /eigenvalue \1 -/'
-spiral spiral-eigenvalue-one-part 1 'more values' 's/^eigenvalue \([^ ]*\) .*/eigenvalue \1/'
-spiral spiral-eigenvector 1 'Krawczyk' 's/^\(eigenvector .*\) [^ ]*$/\1 0/'
-spiral spiral-pivot 1 'pivot' 's/^pivot .*/pivot 4/'
-spiral spiral-boundary 1 'boundary' 's/^halfplane .*/halfplane -1 0/'
-
-negative() { lie_1 "$1" "$2" "$3" butterfly-5 butterfly 5 "$4"; }
-negative weights-nothing 0 '^verified' ''
-negative weights-larger 0 '^verified' 's/^stability \([^ ]*\) [0-9]* /stability \1 1600 /'
-negative weights-stability-0 1 'stability: 1024/1024 is not proved for q_0' 's/^stability [0-9]* [0-9]* /stability 0 1024 /'
-negative weights-stability-1 1 'not proved for q_1' 's/^\(stability [0-9]* [0-9]*\) .*/\1 7 2118 7 2118/'
-negative weights-stability-power 1 'not proved for q_1' 's/^\(stability [0-9]* [0-9]*\) .*/\1 1 2149 1 2149/'
-negative weights-stability-2 1 'same for both' 's/^\(stability.*\) [0-9]*$/\1 3000/'
-negative weights-stability-huge 2 'sums beyond' 's/^\(stability [0-9]* [0-9]*\) .*/\1 7 1099511627776 7 1099511627776/'
-negative weights-stability-limit 2 'number in' 's/^\(stability [0-9]* [0-9]*\) .*/\1 10 2149 10 2149/'
-negative weights-stability-vague 1 'not decided' 's/^\(stability [0-9]* [0-9]*\) .*/\1 7 1000000 7 1000000/'
-negative weights-boundary-leaf 1 'not decided' 's,^boundary 11000,boundary 100,'
-
-lie_1 regular-nothing 0 'plainly regular' butterfly-6 butterfly 6 ''
-lie_1 regular-contraction 1 'contraction' butterfly-6 butterfly 6 's/^contraction .*/contraction 1 2 2/'
-lie_1 regular-more 1 'expected .records' butterfly-6 butterfly 6 's/^contraction .*/&\
-form real/'
-lie_1 regular-no-more 1 'expected .stability' butterfly-6 butterfly 5 's/^valence 6/valence 5/'
-
-quads() { lie_1 "$1" "$2" "$3" catmull-clark-3 catmull-clark 3 "$4"; }
-quads quads-nothing 0 '^verified' ''
-quads quads-regularity-short 1 'too short' 's/^\(regularity .*\)0$/\1/'
-quads quads-boundary-long 1 'too long' 's/^boundary .*/&0/'
-quads quads-halfplane 1 'boundary' 's/^halfplane .*/halfplane 0 1/'
-quads quads-vague 1 'not decided' 's/^radius .*/radius 400000000000000/'
-quads quads-eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue 7/'
-
-# Leaves decided by coefficients
-
-spline() { lie_1 "$1" "$2" "$3" doo-sabin-spectrum-5 doo-sabin-spectrum 5 "$4" --set l=9/10; }
-spline coefficients-nothing 0 '^verified' ''
-spline coefficients-boxes 1 'is not decided' '/^regularity/s/2/0/g'
-spline coefficients-letter 1 'word' '/^regularity/s/2/3/'
-spline coefficients-vague 1 'not decided' 's/^radius .*/radius 400000000000000/'
-lie_1 coefficients-too-vague 1 'not decided by coefficients' loop-3 loop 3 's/^radius .*/radius 800000000000000/'
-negative coefficients-of-no-spline 1 'box splines only' 's/^regularity 0/regularity 2/'
-negative coefficients-of-no-spline-boundary 1 'box splines only' 's/^boundary 11000/boundary 11200/'
-
-# Refutations
-
-# denial NAME STATUS PATTERN CERTIFICATE SCHEME VALENCE SED-COMMAND [OPTION...]
-denial() {
-  name=$1 status=$2 pattern=$3 lied=$5 valence=$6
-  sed -e '/^records/,$d' -e "$7" "$here/../certificates/accept-1/$4.cert" >"$work/lie"
-  finish "$work/lie" "$work/lie.cert"
-  shift 7
-  for file in "$here/../../lib/catalogue/$lied.scheme" "$here/../certificates/schemes/$lied.scheme"; do
-    if [ -f "$file" ]; then break; fi
-  done
-  answer "denial-$name" "$status" "$pattern" --scheme "$file" "$@" --valence "$valence" --claim not-c1 "$work/lie.cert"
-}
-
-ripple() { denial "$1" "$2" "$3" butterfly-8 butterfly 8 "$4"; }
-ripple nothing 0 '^verified: butterfly is not C1 at valence 8' ''
-ripple claim 1 'claim' 's/^claim not-c1/claim c1/'
-ripple reason 1 'reason' 's/^reason frequency/reason frequent/'
-ripple reason-not-c0 1 '' 's/^reason frequency/reason not-c0/'
-ripple frequency-1 1 'frequency' 's/^frequency 2/frequency 1/'
-ripple frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/
-s/^block 3 .*/block 3 3 20/
-s/^block 2 .*/block 2 2 20/'
-ripple frequency-4 1 'frequency' 's/^frequency 2/frequency 4/'
-ripple frequency-0 1 'form' 's/^frequency 2/frequency 0/'
-ripple form 1 'form' 's/^form real/form plain/'
-ripple block-2 1 'block 2' 's/^block 2 2 .*/block 2 2 0/'
-ripple block-1 1 'block 1' 's/^block 1 1 .*/block 1 1 0/'
-ripple block-of-several 1 'block: expected' 's/^block 2 2 .*/block 2 3 20/
-/^block 3/d'
-ripple boundary 1 'not decided' 's/^boundary .*/boundary 0000/'
-ripple boundary-letter 1 'word' 's/^boundary ./boundary 2/'
-ripple halfplane 1 'expected .boundary' 's/^boundary/halfplane 1 1\
-&/'
-ripple witness 1 'expected .records' 's/^boundary .*/&\
-witness 0 -/'
-
-growth() { denial "$1" "$2" "$3" centre-divergent-5 centre-divergent 5 "$4"; }
-growth growth-nothing 0 '^verified' ''
-growth growth-reason 1 '' 's/^reason not-c0/reason frequency/'
-growth growth-form 1 'form' 's/^form plain/form real/'
-growth growth-witness-element 1 'witness' 's/^witness [0-9]* /witness 1000 /'
-growth growth-witness-path 1 'witness' 's/^\(witness [0-9]*\) .*/\1 3/'
-growth growth-witness-word 1 'witness' 's/^\(witness [0-9]*\) .*/\1 x/'
-growth growth-eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
-
-fold() { denial "$1" "$2" "$3" doo-sabin-fold-3 doo-sabin-spectrum 3 "$4" --set l=9/10; }
-fold fold-nothing 0 '^verified' ''
-fold fold-reason 1 'frequency' 's/^reason fold/reason frequency/'
-fold fold-one-witness 1 'expected .witness' '/^witness 8 /d'
-fold fold-same-witness 1 'witness' '/^witness/{
-h
-N
-s/^\(.*\)\n.*/\1\
-\1/
-}'
-fold fold-exchanged 1 'witness' '/^witness/{
-N
-s/^\(.*\)\n\(.*\)/\2\
-\1/
-}'
-
-cup() { denial "$1" "$2" "$3" centre-above-5 centre-above 5 "$4"; }
-cup cup-nothing 0 '^verified' ''
-cup cup-growth 1 'not proved to be larger than 1' 's/^reason frequency/reason not-c0/
-/^block/d
-s/^boundary.*/witness 0 -/'
-cup cup-pivot 1 'radius' 's/^pivot .*/pivot 1/'
-cup cup-block-1 1 'block 1' 's/^block 1 1 .*/block 1 1 0/'
-
-# Settings
-
-lie_1 set-nothing 0 '^verified' butterfly-5-other butterfly 5 '' --set w=1/20
-lie_1 set-blanks 0 '^verified' butterfly-5-other butterfly 5 '' '--set=w=	1/20 '
-lie_1 set-missing 1 ':7: scheme' butterfly-5-other butterfly 5 ''
-lie_1 set-other 1 ':7: scheme' butterfly-5-other butterfly 5 '' --set w=1/21
-lie_1 set-other-words 1 ':7: scheme' butterfly-5-other butterfly 5 '' --set w=0.05
-lie_1 set-more 2 'no parameter' butterfly-5-other butterfly 5 '' --set w=1/20 --set v=1
-lie_1 set-twice 2 'twice' butterfly-5-other butterfly 5 '' --set w=1/20 --set w=1/20
-lie_1 set-comment 2 'one line' butterfly-5-other butterfly 5 '' --set 'w=1/20#'
-lie_1 set-in-the-certificate-only 1 'scheme' butterfly-5 butterfly 5 's,^parameter w = .*,parameter w = 1/20,'
-lie_1 set-in-both 1 'Krawczyk' butterfly-5 butterfly 5 's,^parameter w = .*,parameter w = 1/20,
-s/^stability .*/stability 7 3000 7 3000 7 3000/' --set w=1/20
-
 # The command line
 
 answer usage-none 2 'scheme'
@@ -462,7 +290,11 @@ answer usage-two-claims 2 'twice' --scheme "$scheme" --valence 7 --claim c1 --cl
 answer usage-unknown 2 'unknown' --quick
 answer usage-no-value 2 'value' --scheme
 answer usage-list 2 'valence' --scheme "$scheme" --valence 3,7 --claim c1 "$good"
-answer usage-range 2 'valence' --scheme "$scheme" --valence 3..7 --claim c1 "$good"
+answer usage-range 1 ':18: valence: expected 3..7' --scheme "$scheme" --valence 3..7 --claim c1 "$good"
+answer usage-range-of-one 0 '^verified' --scheme "$scheme" --valence 7,7..7 --claim c1 "$good"
+answer usage-range-backward 2 'valence' --scheme "$scheme" --valence 7..3 --claim c1 "$good"
+answer usage-range-of-inf 2 'valence' --scheme "$scheme" --valence inf..inf --claim c1 "$good"
+answer usage-all 1 'valence: expected 3..inf' --scheme "$scheme" --valence all --claim c1 "$good"
 answer usage-small 2 'valence' --scheme "$scheme" --valence 2 --claim c1 "$good"
 answer usage-large 2 'valence' --scheme "$scheme" --valence 99999999999999999999 --claim c1 "$good"
 answer usage-not-c1 1 'expected not-c1' --scheme "$scheme" --valence 7 --claim not-c1 "$good"
@@ -472,7 +304,8 @@ answer usage-help 0 'Usage' --help
 answer usage-version 0 'smoothcert-check' --version
 answer usage-end 0 '^verified' --scheme "$scheme" --valence 7 --claim c1 -- "$good"
 answer file-missing 2 'opened' --scheme "$scheme" --valence 7 --claim c1 "$work/none"
-answer file-folder 2 'read' --scheme "$scheme" --valence 7 --claim c1 "$work"
+mkdir "$work/empty"
+answer file-folder 1 'empty is about valence 7' --scheme "$scheme" --valence 7 --claim c1 "$work/empty"
 answer file-scheme-missing 2 'opened' --scheme "$work/none" --valence 7 --claim c1 "$good"
 if [ -c /dev/zero ]; then
   answer file-endless 2 'bytes' --scheme "$scheme" --valence 7 --claim c1 /dev/zero

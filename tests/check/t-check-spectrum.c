@@ -10,6 +10,7 @@
 #include "../../verify/check/rational.c"
 #include "../../verify/check/grid.c"
 #include "../../verify/check/trig.c"
+#include "../../verify/check/affine.c"
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
 #include "../../verify/check/value.c"
@@ -52,19 +53,19 @@ static void run(const struct trial *t)
 {
     int difference = t->l - t->mu;                 /* L - mu in units of 2^-20 */
     interval matrix[4] = { thin(t->l), thin(0), grid_from(1, G), thin(t->mu) };
-    struct block_record record = { 1, 1, t->power, 1 };
+    struct block_record record = { { 1, 1 }, t->power, 1 };
     integer eigenvector, inverse[4], one = integer_from(1);
     struct certificate c = {
-        .file = "certificate", .real = true, .frequency = 1, .n = 2, .size = 2, .pivot = 1,
-        .eigenvector = &eigenvector, .inverse = inverse
+        .file = "certificate", .real = true, .frequency = 1, .n = 2, .size = 2,
+        .pair = { .pivot = 1, .eigenvector = &eigenvector, .inverse = inverse }
     };
     struct eigenpair pair;
 
     if (difference == 0)                           /* no eigenvector: try any */
         difference = 1 << 18;
-    c.radius = integer_from(t->radius);
-    c.eigenvalue[0] = integer_add(matrix[0].lo, integer_from(t->shift));
-    c.eigenvalue[1] = integer_from(0);
+    c.pair.radius = integer_from(t->radius);
+    c.pair.eigenvalue[0] = integer_add(matrix[0].lo, integer_from(t->shift));
+    c.pair.eigenvalue[1] = integer_from(0);
 
     /* x = 1/(L - mu); G = (0, -1; mu - L, -x), Y = (-x/(mu - L), 1/(mu - L); -1, 0) */
     eigenvector = integer_divide_floor(integer_shift_left(one, G + 20),

@@ -1,8 +1,8 @@
 /* Unit tests of the independent checker's arithmetic and parsers.
  *
  * The checker has no library, so its source files are included here; and it
- * shares nothing with the rest of the project, so neither does this test.  One
- * line on stdout for each test, PASS or FAIL; exit status 0 iff none failed. */
+ * shares nothing with the rest of the project, so neither does this test.  Exit status 0
+ * iff nothing failed. */
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -22,40 +22,13 @@
 #include "../../verify/check/stability.c"
 #include "../../verify/check/element.c"
 
-#include <stdio.h>
+#include "protocol.h"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Protocol
- * -------- */
-
-static const char *test_name;
-static char reason[256];
-static int failures;
-
-static void begin(const char *name)
-{
-    test_name = name;
-    reason[0] = '\0';
-}
-
-/* The first expectation that fails is the reason. */
-#define EXPECT(condition)                                                      \
-    do {                                                                       \
-        if (!(condition) && reason[0] == '\0')                                 \
-            snprintf(reason, sizeof reason, "line %d: %s", __LINE__, #condition); \
-    } while (0)
-
-static void end(void)
-{
-    if (reason[0] == '\0') {
-        printf("PASS %s\n", test_name);
-    } else {
-        printf("FAIL %s: %s\n", test_name, reason);
-        failures++;
-    }
-    fflush(stdout);
-}
+/* Helpers
+ * ------- */
 
 /* The exit status of run(argument) in a process of its own, quietly. */
 static int status_of(void (*run)(const char *), const char *argument)
@@ -74,19 +47,6 @@ static int status_of(void (*run)(const char *), const char *argument)
     if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status))
         return -1;
     return WEXITSTATUS(status);
-}
-
-/* Random numbers: the same ones in every run.
- * -------------- */
-
-static uint64_t random_state = 88172645463325252u;
-
-static uint32_t random_word(void)
-{
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 7;
-    random_state ^= random_state << 17;
-    return (uint32_t)(random_state >> 32);
 }
 
 /* Limbs that make trouble are frequent. */
@@ -712,7 +672,8 @@ static struct value value_at(const char *text, int k)
 {
     static struct language l = { .file = "formula" };
     struct cursor c = { "formula", 1, text, text, text + strlen(text) };
-    struct environment e = environment_make(&l, k, -1, -1, -1, 64);
+    struct environment e = environment_make(&l, k < 0 ? NOTHING : span_of(k), NOTHING,
+                                            NOTHING, 64);
     struct value out = evaluate(formula_read(&c, &l, k > 0 ? MEANS_K : 0), &e);
 
     cursor_expect_end(&c);
@@ -1036,6 +997,149 @@ static void test_stability(void)
     end();
 }
 
+/* lib/stability.md, section 3, to the letter and without rounding: for masks in units of 1/16 with points in
+ * [-1, 2]^2, and N <= 3, so that those of S^N lie in [-7, 14]^2. */
+enum { PLANE = 22, ORIGIN = 7, ROW = 13, ROW_ORIGIN = 6 };
+
+static int64_t power_plane[PLANE][PLANE], row_plane[2][ROW][ROW];
+
+/* power_plane := the coefficients of s^n, in units of 16^-n */
+static void make_power(const int weight[4][4], int n)
+{
+    int64_t old[PLANE][PLANE];
+
+    memset(power_plane, 0, sizeof power_plane);
+    power_plane[ORIGIN][ORIGIN] = 1;
+    for (int step = 0; step < n; step++) {
+        memcpy(old, power_plane, sizeof old);
+        memset(power_plane, 0, sizeof power_plane);
+        for (int i = 0; i < PLANE * PLANE; i++)
+            for (int j = 0; old[i / PLANE][i % PLANE] != 0 && j < 16; j++)
+                power_plane[i / PLANE + (j / 4 - 1) * (1 << step)]
+                           [i % PLANE + (j % 4 - 1) * (1 << step)] +=
+                    old[i / PLANE][i % PLANE] * weight[j / 4][j % 4];
+    }
+}
+
+/* row_plane[which] := row (a,b) */
+static void make_row(int which, int a, int b, int n)
+{
+    memset(row_plane[which], 0, sizeof row_plane[which]);
+    for (int i = 0; i < ROW * ROW; i++) {
+        int x = a - (i / ROW - ROW_ORIGIN) * (1 << n) + ORIGIN;
+        int y = b - (i % ROW - ROW_ORIGIN) * (1 << n) + ORIGIN;
+
+        if (x >= 0 && x < PLANE && y >= 0 && y < PLANE)
+            row_plane[which][i / ROW][i % ROW] = power_plane[x][y];
+    }
+}
+
+static bool pair_is_fine(int a, int b, int da, int db, int n, int64_t t)
+{
+    int64_t delta = 0, h = 0, unit = INT64_C(1) << (4 * n);
+
+    make_row(0, a, b, n);
+    make_row(1, a + da, b + db, n);
+    for (int i = 0; i < ROW * ROW; i++) {
+        int64_t here = row_plane[0][i / ROW][i % ROW];
+        int64_t there = row_plane[1][i / ROW][i % ROW];
+
+        delta += magnitude(here - there);
+        h += magnitude((1024 + t) * here - (t - 1024) * there);
+    }
+    return delta < 2 * unit && h <= 2 * t * unit;
+}
+
+static bool holds_by_definition(const int weight[4][4], int n, int64_t t)
+{
+    int low[3] = { 9, 9, 9 }, high[3] = { -9, -9, -9 };
+    bool fine = true;
+
+    for (int i = 0; i < 16; i++) {
+        int f[3] = { i / 4 - 1, i % 4 - 1, i / 4 + i % 4 - 2 };
+
+        for (int d = 0; d < 3 && weight[i / 4][i % 4] != 0; d++) {
+            low[d] = f[d] < low[d] ? f[d] : low[d];
+            high[d] = f[d] > high[d] ? f[d] : high[d];
+        }
+    }
+    make_power(weight, n);
+    for (int da = low[0] - high[0] + 1; da < high[0] - low[0]; da++)
+        for (int db = low[1] - high[1] + 1; db < high[1] - low[1]; db++)
+            for (int x = 0; abs(da + db) < high[2] - low[2] && x < 1 << (2 * n); x++)
+                fine = fine && pair_is_fine(x >> n, x & ((1 << n) - 1), da, db, n, t);
+    return fine;
+}
+
+/* A mask like that of the linear spline along both axes, a little disturbed. */
+static void random_mask(int weight[4][4])
+{
+    static const int hat[4] = { 2, 4, 2, 0 };
+
+    for (int i = 0; i < 16; i++)
+        weight[i / 4][i % 4] = hat[i / 4] * hat[i % 4];
+    for (int i = (int)(random_word() % 6); i > 0; i--) {
+        int a = (int)(random_word() % 2), b = (int)(random_word() % 2);
+        int by = (int)(random_word() % 5) - 2;
+
+        weight[a][b] += by;                            /* sums of classes stay */
+        weight[a + (int)(random_word() % 2) * 2][b + 2] -= by;
+    }
+}
+
+static void test_stability_by_definition(void)
+{
+    int decisive = 0;
+
+    begin("stability-by-definition");
+    for (int i = 0; i < 60; i++) {
+        struct mask *mask = new_mask(16);
+        int weight[4][4], n = 1 + i % 3;
+        int64_t low = 1024, high = 1 << 20;
+
+        random_mask(weight);
+        for (int c = 0; c < 16; c++)
+            *coefficient(mask, c / 4 - 1, c % 4 - 1) = integer_from(weight[c / 4][c % 4]);
+        if (!holds_by_definition(weight, n, high)) {
+            EXPECT(!stability_holds(mask, n, high));
+            continue;
+        }
+        while (high - low > 1) {
+            int64_t middle = (low + high) / 2;
+
+            *(holds_by_definition(weight, n, middle) ? &high : &low) = middle;
+        }
+        EXPECT(stability_holds(mask, n, high));
+        EXPECT(low == 1024 || !stability_holds(mask, n, low));
+        EXPECT(stability_holds(mask, n, high + 1000));
+        decisive += low > 1024;
+    }
+    EXPECT(decisive >= 5);
+    end();
+}
+
+/* Rows that have nothing in common: |(1024+T) m_x - (T-1024) m_x'| is at its limit, 2 T, for every T, and
+ * |m_x - m_x'| = 2 forbids it; with 1/3 in place of 1, rounding errors do. */
+static void test_stability_of_disjoint_rows(void)
+{
+    struct mask *mask = new_mask(1), *thirds = new_mask(3);
+
+    begin("stability-of-disjoint-rows");
+    for (int a = 0; a < 2; a++) {
+        for (int b = 0; b < 2; b++) {
+            *coefficient(mask, 3 * a, 3 * b) = integer_from(1);
+            for (int i = 0; i < 3; i++)
+                *coefficient(thirds, 3 * a + 2 * i - 2, 3 * b) = integer_from(1);
+        }
+    }
+    EXPECT(!stability_holds(mask, 1, 2000));
+    EXPECT(!stability_holds(mask, 1, 1000000));
+    EXPECT(!stability_holds(mask, 2, 2000));
+    EXPECT(!stability_holds(thirds, 1, 2000));
+    EXPECT(!stability_holds(thirds, 1, 1000000));
+    end();
+}
+
 /* Windows
  * ------- */
 
@@ -1134,5 +1238,7 @@ int main(void)
     test_windows();
     test_rings();
     test_stability();
+    test_stability_by_definition();
+    test_stability_of_disjoint_rows();
     return failures == 0 ? 0 : 1;
 }

@@ -102,6 +102,7 @@ static void test_sharp(void)
     check_range(modified_butterfly, 100, (frequencies){0, 1}, 0, 0.5); /* m = 0 or 2 has no say in m = 1 */
     check_range("2^-m", huge, (frequencies){3, huge / 2}, 0, 0.125);
     check_range("2^-m", 100, (frequencies){3, 5}, 0.03125, 0.125);
+    check_range("2^(k/20 - 2*m)", 100, (frequencies){3, 5}, 0.03125, 0.5);
     check_range("(1/4)^m", huge, (frequencies){20000, huge / 2}, 0, 0);
     check_range("cos(2*pi*m/k)", 12, (frequencies){1, 2}, 0.5, 0.8660254037844387);
     check_range("cos(2*pi*m/k)", huge, (frequencies){0, huge / 2}, -1, 1);

@@ -7,7 +7,7 @@
 
 #include "common.h"
 #include "lib/influence.h"
-#include "lib/step.h"
+#include "lib/subdivision.h"
 #include "region.h"
 
 #if defined(NUMBER_INTERVAL)

@@ -130,6 +130,8 @@ static void test_sharp(void)
     check_range("sin(pi/k)", (valence_range){2, INFINITE}, one, 0, 1);
     check_range("2^-k", beyond_20, one, 0, 0x1p-20);
     check_range("2^(1 - m)", beyond_20, all, 0, 0.5);
+    check_range("2^-(k/2)", beyond_20, one, 1, 0); /* no value at 21 */
+    check_range("2^(m*2 - 2*k)", (valence_range){10, 10}, few, 0x1p-16, 0x1p-12);
     check_range("2^k", beyond_20, one, 1, 0);
     check_range("cases(m = 1: 1/2; m = 0 or m = 2: 1/4; else: 0)", beyond_20, (frequencies){3, INFINITE}, 0, 0);
     check_range("cases(k != 6: 1; else: 2)", beyond_20, one, 1, 1);

@@ -184,11 +184,16 @@ archives() {
   rm -rf evidence by-file smoothcert-loop smoothcert-modified-loop,a=7_8 undecided canonical before respaced.scheme other.scheme
 }
 
-# Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here.
+# Whatever takes long, the time limit and an interrupt are heeded: Kobbelt's scheme has very many blocks here, a
+# midpoint scheme of high degree has large ones.
 patience() {
   if command -v timeout >/dev/null 2>&1; then
     timeout -s KILL 60 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --time-limit 1 --out none >stdout 2>stderr
     status=$? wanted=2 message='undecided: kobbelt at valence 1000000000; ' name=time-limit
+    judge
+    # One square of a matrix of this size takes longer than that, with balls.
+    timeout -s KILL 30 "$SMOOTHCERT" prove midpoint --set degree=40 --valence 5 --precision 1024 --time-limit 1 --out none >stdout 2>stderr
+    status=$? wanted=2 message='no time left' name=time-limit-one-matrix
     judge
     timeout -s INT -k 60 1 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --out none >stdout 2>stderr
     status=$?

@@ -46,6 +46,13 @@ says small 'dominant: L = 0.530872450464' loop --valence 7
 says small-blocks 'block 3' loop --valence 7
 says small-tie 'no eigenvalue but 1 is certainly larger' butterfly --valence 3
 says small-frequency 'in block 2, simple' butterfly --valence 8
+says verdict 'C1 here: proved' loop --valence 7
+says verdict-refuted 'C1 here: refuted; frequency 2 dominates' butterfly --valence 8
+says signs 'signs of normals: all alike' butterfly --valence 8
+says signs-cups 'signs of normals: they sum to 0' loop-ring --set z=3/4 --valence 5
+says waves 'Theorem 6.1: lambda > |mu_0|, hence C1' wave --valence 3
+says waves-nothing 'Theorem 6.1: lambda < |mu_0|, nothing follows' catmull-clark-weights --set alpha=9/10 --set beta=1/20 --valence 5
+says json-verdict '"c1":"proved","signs_alike":true,"waves_inequality":null' loop --valence 7 --json
 says valence-100 'block 49' loop --valence 100
 says valence-101 'blocks 4 to' loop --valence 101
 says json '"ranges":[{"first":4,' loop --valence 1000 --json
@@ -62,7 +69,7 @@ for k in 1000000000 1000000000000000; do
   says "catmull-clark-$k" 'in block 1, simple' catmull-clark --valence $k
   says "modified-butterfly-$k" 'runner-up: mu < 0.250000001' modified-butterfly --valence $k
 done
-says modified-loop 'dominant: L = 0.5000' modified-loop --valence 1000000000
+says modified-loop 'dominant: L = 0.5 in block 1, simple' modified-loop --valence 1000000000
 says complex 'modulus > 0.53851648 in block 1, simple' loop-spiral --valence 1000000000
 says balls 'balls of 256 bits' loop --valence 1000000000 --precision 256
 says balls-dominant 'in block 1, simple' loop --valence 1000000000 --precision 256
@@ -93,6 +100,57 @@ rule centre
 end
 END
 says centre-twice '  0.75000000000000' ./twice.scheme --valence 5
+# Without any rule the regular valence has the spectrum that explicit weights give there; others have none.
+sed '/^rule/,$d' twice.scheme >ruleless.scheme
+cat >bicubic.scheme <<'END'
+scheme bicubic
+mesh quad
+dilation 2
+vertices interior
+mask symmetric
+  (0,0) 9/16
+  (1,0) 3/8
+  (2,0) 3/32
+  (1,1) 1/4
+  (2,1) 1/16
+  (2,2) 1/64
+end
+END
+same_spectrum() { # NAME VALENCE SCHEME SCHEME
+  for s in "$3" "$4"; do
+    for p in 64 256; do
+      "$SMOOTHCERT" spectrum "$s" --valence "$2" --precision $p | sed '1d;s/ +\/- [^ ]*//g'
+    done >"spectrum-of-$(basename "$s")"
+  done
+  if [ -s "spectrum-of-$3" ] && cmp -s "spectrum-of-$3" "spectrum-of-$(basename "$4")"; then
+    echo "PASS spectrum-$1"
+  else
+    echo "FAIL spectrum-$1: $(sed -n 2,3p "spectrum-of-$3") instead of $(sed -n 2,3p "spectrum-of-$4")"
+  fi
+}
+same_spectrum ruleless-triangles 6 ruleless.scheme loop
+same_spectrum ruleless-quads 4 bicubic.scheme catmull-clark
+"$SMOOTHCERT" spectrum ./ruleless.scheme --valence 7 >printed 2>complaints
+if [ $? -eq 65 ] && [ ! -s printed ] && grep -q 'no rule for the extraordinary vertex' complaints; then
+  echo 'PASS spectrum-ruleless-elsewhere'
+else
+  echo "FAIL spectrum-ruleless-elsewhere: $(head -n 1 complaints)"
+fi
+# One rule is enough for the neighbourhood not to be regular.
+cat ruleless.scheme - >one-rule.scheme <<'END'
+rule (1,0)
+  centre 3/8
+  (1,0) 3/8
+  all (1,0) 1/8
+  (1,0) @ 1 rest
+end
+END
+"$SMOOTHCERT" spectrum ./one-rule.scheme --valence 6 >printed 2>complaints
+if [ $? -eq 65 ] && [ ! -s printed ] && grep -q 'no rule for the extraordinary vertex' complaints; then
+  echo 'PASS spectrum-one-rule'
+else
+  echo "FAIL spectrum-one-rule: $(head -n 1 complaints)"
+fi
 # Opposite eigenvalues of a block of complex numbers are no conjugates.
 cat >opposite.scheme <<'END'
 scheme opposite

@@ -44,7 +44,7 @@ static void test_round_trip(void)
             buffer_init(&again);
             MUST(certificate_read(&c, &line, &loop.scheme, d.certificate.bytes, d.certificate.length));
             CHECK(line == 0, "valence %ld, %ld bits: line %ld does not read back", valence[i], precision, line);
-            CHECK(c.valence == valence[i] && c.grid == (precision ? precision : CHOICES_MIN_GRID), "valence %ld on grid %ld", c.valence, c.grid);
+            CHECK(c.k.first == valence[i] && c.grid == (precision ? precision : CHOICES_MIN_GRID), "valence %ld on grid %ld", c.k.first, c.grid);
             certificate_write(&again, &loop.scheme, &c);
             CHECK(!again.failed && again.length == d.certificate.length && !memcmp(again.bytes, d.certificate.bytes, again.length),
                   "valence %ld, %ld bits: writing what was read gives other bytes", valence[i], precision);

@@ -152,7 +152,7 @@ static void test_fold_is_refused(void)
     subject_from_catalogue(&s, "doo-sabin-spectrum", "l=948/1000");
     choices_init(&c);
     findings_init(&f);
-    c.valence = 5;
+    c.k = one_valence(5);
     c.grid = 64;
     CHECK(analysis_search_interval(&f, &c, &plan, 53) == OUTCOME_FALSE && plan.found[TEST_SPECTRUM] && !plan.found[TEST_REGULARITY], "the map does not fold");
     c.normal[0] = 1;

@@ -37,23 +37,23 @@ static void check_eigenvalue(const decision *d, const subject *s)
     long line = -1;
     choices_init(&c);
     MUST(certificate_read(&c, &line, &s->scheme, d->certificate.bytes, d->certificate.length));
-    CHECK(line == 0 && c.valence == d->valence, "the certificate does not read back (line %ld)", line);
+    CHECK(line == 0 && c.k.first == d->k.first, "the certificate does not read back (line %ld)", line);
     if (line == 0) {
         const integer *middle = &c.eigenpair.approximation[c.eigenpair.n - 1];
         integer lower, upper, low, high;
         grid exact;
         integer_init(&lower), integer_init(&upper), integer_init(&low), integer_init(&high);
         grid_init(&exact);
-        closed_form(&exact, d->valence, c.grid + 64);
+        closed_form(&exact, d->k.first, c.grid + 64);
         MUST(grid_get_endpoints(&low, &high, &exact, c.grid + 64));
         MUST(integer_sub(&lower, middle, &c.eigenpair.radius) && integer_mul_2exp(&lower, &lower, 64));
         MUST(integer_add(&upper, middle, &c.eigenpair.radius) && integer_mul_2exp(&upper, &upper, 64));
-        CHECK(integer_cmp(&lower, &low) < 0 && integer_cmp(&high, &upper) < 0, "valence %ld: L is not 3/8 + cos(2 pi/k)/4", d->valence);
+        CHECK(integer_cmp(&lower, &low) < 0 && integer_cmp(&high, &upper) < 0, "valence %ld: L is not 3/8 + cos(2 pi/k)/4", d->k.first);
         /* and it is a small one: half of the digits at least */
-        CHECK(integer_bits(&c.eigenpair.radius) < (size_t)c.grid / 2, "valence %ld: a radius of %zu bits on a grid of %ld", d->valence,
+        CHECK(integer_bits(&c.eigenpair.radius) < (size_t)c.grid / 2, "valence %ld: a radius of %zu bits on a grid of %ld", d->k.first,
               integer_bits(&c.eigenpair.radius), c.grid);
         CHECK(d->findings.eigenvalue_lower <= grid_lower_bound(&exact) + 1e-15 && d->findings.eigenvalue_upper >= grid_upper_bound(&exact) - 1e-15,
-              "valence %ld: L in [%.17g, %.17g]", d->valence, d->findings.eigenvalue_lower, d->findings.eigenvalue_upper);
+              "valence %ld: L in [%.17g, %.17g]", d->k.first, d->findings.eigenvalue_lower, d->findings.eigenvalue_upper);
         integer_clear(&lower), integer_clear(&upper), integer_clear(&low), integer_clear(&high);
         grid_clear(&exact);
     }

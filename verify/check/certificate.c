@@ -1,4 +1,5 @@
-/* Reading certificates: section 1 of certificate.md, line by line. */
+/* Reading certificates: section 1 of certificate.md and of certificate-valences.md, line
+ * by line. */
 
 #include "certificate.h"
 
@@ -13,6 +14,7 @@ enum {
     MAX_CONTRACTION = 10, MAX_STABILITY_POWER = 9,
     MAX_UNKNOWNS_0 = 512, MAX_UNKNOWNS_1 = 1024, MAX_PIVOT = 999999999,
     MAX_BLOCKS = 10000, MAX_POWER = 10000, MAX_TOTAL_POWER = 200000,
+    MAX_RISES = 1000, MAX_COVERS = 10000, Q_BITS = 48,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
     MAX_DECIMAL = 15                               /* digits; all limits have less */
@@ -116,6 +118,17 @@ static int64_t read_decimal(struct record *r, int64_t low, int64_t high)
     return value;
 }
 
+/* The same, or `inf`. */
+static int64_t read_decimal_or_inf(struct record *r, int64_t low, int64_t high)
+{
+    size_t left = (size_t)(r->end - r->at);
+
+    if (left < 3 || memcmp(r->at, "inf", 3) != 0 || (left > 3 && r->at[3] != ' '))
+        return read_decimal(r, low, high);
+    next_token(&left, r);
+    return ENDLESS;
+}
+
 /* A hexadecimal number below 2^bits in magnitude. */
 static void read_hex(integer *out, struct record *r, int bits)
 {
@@ -209,6 +222,21 @@ static int read_choice_record(struct certificate *c, const char *name,
     return count;
 }
 
+/* k, or the first and the last (or `inf`) of several */
+static void read_valence(struct certificate *c)
+{
+    int64_t most = c->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1;
+    struct record r = begin_noted(c, "valence", &c->line_of.valence);
+
+    c->valence = span_of(read_decimal(&r, MIN_VALENCE, most));
+    if (r.at != r.end && c->version > 0) {
+        c->valence.last = read_decimal_or_inf(&r, MIN_VALENCE, most);
+        if (!span_is_several(c->valence))
+            rejected(c->file, r.line, "valence: expected the first and a greater last one");
+    }
+    end_record(&r);
+}
+
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size)
 {
@@ -219,13 +247,12 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->text = text;
     out->next = text;
     out->end = text + size;
+    out->regularity = out->boundary = "";          /* refutations may have none */
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
     out->claim = (enum claim)read_choice_record(out, "claim", claim, 2, &out->line_of.claim);
-    out->valence = read_decimal_record(out, "valence", MIN_VALENCE,
-                                       out->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1,
-                                       &out->line_of.valence);
+    read_valence(out);
     out->grid = (int)read_decimal_record(out, "grid", MIN_GRID, MAX_GRID,
                                          &out->line_of.grid);
 }
@@ -243,6 +270,8 @@ static void read_form(struct certificate *c)
         rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
                  "frequency 0 `plain`");
     c->real = choice != 1;
+    if (span_is_several(c->valence) && choice != 0)
+        rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
 }
 
 static void read_reason(struct certificate *c)
@@ -255,7 +284,7 @@ static void read_reason(struct certificate *c)
                  "`fold`");
     c->reason = (enum reason)(REASON_FREQUENCY + choice);
     c->frequency = read_decimal_record(c, "frequency", 0, MAX_VALENCE_1, &line);
-    if (2 * c->frequency >= c->valence ||
+    if (2 * c->frequency >= c->valence.first ||
         (c->reason == REASON_FREQUENCY && c->frequency == 1) ||
         (c->reason == REASON_FOLD && c->frequency != 1))
         rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
@@ -285,50 +314,47 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
     read_form(out);
 }
 
-static void read_eigenpair(struct certificate *c)
+/* The record `name I ...` */
+static void read_hex_record(integer *out, int count, struct certificate *c,
+                            const char *name, int bits, int *line)
+{
+    struct record r = begin_noted(c, name, line);
+
+    for (int i = 0; i < count; i++)
+        read_hex(&out[i], &r, bits);
+    end_record(&r);
+}
+
+static void read_eigenpair(struct choices *out, struct certificate *c)
 {
     int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, line;
-    struct record r;
 
     /* Beyond n: rejected where it is used, not a limit of the format. */
-    c->pivot = (int)read_decimal_record(c, "pivot", 0, MAX_PIVOT, &c->line_of.pivot);
-
-    r = begin_noted(c, "eigenvalue", &c->line_of.eigenvalue);
-    for (int i = 0; i < parts; i++)
-        read_hex(&c->eigenvalue[i], &r, bits);
-    end_record(&r);
-
-    c->eigenvector = allocate((size_t)c->size, sizeof c->eigenvector[0]);
-    r = begin_noted(c, "eigenvector", &line);
-    for (int i = 0; i < parts * (c->n - 1); i++)
-        read_hex(&c->eigenvector[i], &r, bits);
-    end_record(&r);
-
-    r = begin_noted(c, "radius", &c->line_of.radius);
-    read_hex(&c->radius, &r, bits);
-    end_record(&r);
-
-    c->inverse = allocate((size_t)c->size * (size_t)c->size, sizeof c->inverse[0]);
-    for (int i = 0; i < c->size; i++) {
-        begin_record(&r, c, "inverse");
-        for (int j = 0; j < c->size; j++)
-            read_hex(&c->inverse[i * c->size + j], &r, INVERSE_BITS_LIMIT);
-        end_record(&r);
-    }
-
-    if (c->real)
-        return;
-    r = begin_noted(c, "modulus", &c->line_of.modulus);
-    read_hex(&c->modulus, &r, bits);
-    end_record(&r);
+    out->pivot = (int)read_decimal_record(c, "pivot", 0, MAX_PIVOT, &out->line_of.pivot);
+    read_hex_record(out->eigenvalue, parts, c, "eigenvalue", bits, &out->line_of.eigenvalue);
+    out->eigenvector = allocate((size_t)c->size, sizeof out->eigenvector[0]);
+    read_hex_record(out->eigenvector, parts * (c->n - 1), c, "eigenvector", bits, &line);
+    read_hex_record(&out->radius, 1, c, "radius", bits, &out->line_of.radius);
+    if (span_is_several(c->valence))
+        read_hex_record(&out->range, 1, c, "range", bits, &out->line_of.range);
+    out->inverse = allocate((size_t)c->size * (size_t)c->size, sizeof out->inverse[0]);
+    for (int i = 0; i < c->size; i++)
+        read_hex_record(&out->inverse[i * c->size], c->size, c, "inverse",
+                        INVERSE_BITS_LIMIT, &line);
+    if (!c->real)
+        read_hex_record(&out->modulus, 1, c, "modulus", bits, &out->line_of.modulus);
 }
 
 static void check_total_power(const struct certificate *c)
 {
-    int total = 0;                                 /* at most 10000 * MAX_POWER */
+    int total = 0;                                 /* at most 11002 * MAX_POWER */
 
     for (int i = 0; i < c->blocks; i++)
         total += c->block[i].power;
+    for (int i = 0; i < c->rises; i++)
+        total += c->rise[i].record.power;
+    for (int i = 0; i < c->covers; i++)
+        total += c->cover[i].record.power;
     if (total > MAX_TOTAL_POWER)
         cannot_check_at(c->file, c->block[0].line, 0,
                         "expected powers whose sum is at most %d", MAX_TOTAL_POWER);
@@ -339,42 +365,98 @@ static void read_powers_0(struct certificate *c)
 {
     struct record r;
 
-    c->blocks = (int)(c->valence / 2) + 1;
+    c->blocks = (int)(c->valence.first / 2) + 1;
     c->block = allocate((size_t)c->blocks, sizeof c->block[0]);
     begin_record(&r, c, "power");
     for (int m = 0; m < c->blocks; m++)
         c->block[m] = (struct block_record) {
-            m, m, (int)read_decimal(&r, 0, MAX_POWER), r.line
+            span_of(m), (int)read_decimal(&r, 0, MAX_POWER), r.line
         };
     end_record(&r);
 }
 
-/* 0; 1; then without gaps up to floor(k/2). */
+/* 0; 1; then without gaps up to floor(k/2), of several valences no more. */
 static void read_blocks(struct certificate *c)
 {
-    int64_t next = 0, half = c->valence / 2;
+    int64_t next = 0, half = span_is_several(c->valence) ? 1 : c->valence.first / 2;
 
     c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
     while (c->blocks == 0 || next_is(c, "block")) {
         struct block_record *b = &c->block[c->blocks];
         struct record r = begin_noted(c, "block", &b->line);
 
-        b->first = read_decimal(&r, 0, MAX_VALENCE_1);
-        b->last = read_decimal(&r, 0, MAX_VALENCE_1);
+        b->m.first = read_decimal(&r, 0, MAX_VALENCE_1);
+        b->m.last = read_decimal(&r, 0, MAX_VALENCE_1);
         b->power = (int)read_decimal(&r, 0, MAX_POWER);
         end_record(&r);
-        if (b->first != next || b->last < b->first || b->last > half ||
-            (b->first < b->last && (next <= 1 || (b->first <= c->frequency &&
-                                                  c->frequency <= b->last))))
+        if (b->m.first != next || b->m.last < b->m.first || b->m.last > half ||
+            (span_is_several(b->m) && (next <= 1 || (b->m.first <= c->frequency &&
+                                                     c->frequency <= b->m.last))))
             rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
                      "ranges without gaps up to %lld", (long long)half);
-        next = b->last + 1;
+        next = b->m.last + 1;
         if (++c->blocks == MAX_BLOCKS && next_is(c, "block"))
             cannot_check_at(c->file, b->line, 0, "expected at most %d blocks", MAX_BLOCKS);
     }
     if (next <= half)
         rejected(c->file, c->line, "block: the frequencies from %lld on are missing",
                  (long long)next);
+}
+
+/* Q in 0..2^47 */
+static int64_t read_q(struct record *r)
+{
+    integer q;
+    int64_t out;
+
+    read_hex(&q, r, Q_BITS);
+    if (!integer_get_small(&out, q, INT64_C(1) << (Q_BITS - 1)) || out < 0)
+        cannot_check_at(r->c->file, r->line, 0, "%s: expected a number in 0..2^47", r->name);
+    return out;
+}
+
+/* There is one more of a kind of record. */
+static void count_record(int *count, int limit, const struct certificate *c,
+                         const char *name)
+{
+    if (++*count > limit)
+        cannot_check_at(c->file, c->line, 0, "expected at most %d records `%s`", limit,
+                        name);
+}
+
+static void read_rises(struct certificate *c)
+{
+    c->rise = allocate(MAX_RISES, sizeof c->rise[0]);
+    while (next_is(c, "rise")) {
+        struct rise *rise = &c->rise[c->rises];
+        struct record r;
+
+        count_record(&c->rises, MAX_RISES, c, "rise");
+        r = begin_noted(c, "rise", &rise->record.line);
+        rise->q = read_q(&r);
+        rise->record.m = (struct span) { 1, ENDLESS };
+        rise->record.power = (int)read_decimal(&r, 0, MAX_POWER);
+        end_record(&r);
+        read_eigenpair(&rise->pair, c);
+    }
+}
+
+static void read_covers(struct certificate *c)
+{
+    c->cover = allocate(MAX_COVERS, sizeof c->cover[0]);
+    while (c->covers == 0 || next_is(c, "cover")) {
+        struct cover *cover = &c->cover[c->covers];
+        struct block_record *b = &cover->record;
+        struct record r;
+
+        count_record(&c->covers, MAX_COVERS, c, "cover");
+        r = begin_noted(c, "cover", &b->line);
+        b->m.first = read_decimal(&r, 0, MAX_VALENCE_1);
+        b->m.last = read_decimal_or_inf(&r, 0, MAX_VALENCE_1);
+        cover->q = read_q(&r);
+        b->power = (int)read_decimal(&r, 0, MAX_POWER);
+        end_record(&r);
+    }
 }
 
 static void read_trees(struct certificate *c, const char *name, const char **word,
@@ -437,11 +519,15 @@ void certificate_read_choices(struct certificate *out, int n)
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
         cannot_check("%s: blocks of %d unknowns", out->file, out->size);
-    read_eigenpair(out);
+    read_eigenpair(&out->pair, out);
     if (out->version == 0)
         read_powers_0(out);
     else if (out->reason != REASON_NOT_C0)
         read_blocks(out);
+    if (span_is_several(out->valence)) {
+        read_rises(out);
+        read_covers(out);
+    }
     check_total_power(out);
     if (out->claim == CLAIM_C1)
         read_decisions(out);

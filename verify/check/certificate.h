@@ -4,19 +4,45 @@
 /* Certificates
  * ============
  *
- * Section 1 of certificate.md: the file.  Reading checks its form, its limits,
+ * Section 1 of certificate.md and of certificate-valences.md: the file.  Reading checks its form, its limits,
  * its records and its hash; what the choices prove is checked elsewhere.
  * A file that has not exactly the form: rejected.  Beyond a limit: cannot
  * check.
  */
 
 #include "integer.h"
+#include "span.h"
 
-/* P for the frequencies first..last */
+/* P for the frequencies m */
 struct block_record {
-    int64_t first, last;
+    struct span m;
     int power;
     int line;
+};
+
+/* What proves an eigenpair. */
+struct choices {
+    int pivot;                                     /* from 1 on */
+    integer eigenvalue[2];                         /* real form: [0] */
+    integer *eigenvector;                          /* n - 1, or twice as many */
+    integer radius, range;                         /* range: of several valences */
+    integer *inverse;                              /* N x N, row by row */
+    integer modulus;                               /* complex form */
+    struct {
+        int pivot, eigenvalue, radius, range, modulus;
+    } line_of;
+};
+
+/* Of several valences: `rise Q P` with its eigenpair, and `cover D D Q P`. */
+struct rise {
+    int64_t q;                                     /* in units of 2^-48 */
+    struct block_record record;                    /* m: 1..ENDLESS */
+    struct choices pair;
+};
+
+struct cover {
+    int64_t q;
+    struct block_record record;
 };
 
 /* An element of level 0, and the way to a descendant: digits, or `-`. */
@@ -34,7 +60,7 @@ struct certificate {
     const char *scheme_text;                       /* canonical, it says */
     size_t scheme_size;
     enum claim { CLAIM_C1, CLAIM_NOT_C1, CLAIM_OTHER } claim;
-    int64_t valence;                               /* k */
+    struct span valence;                           /* k */
     int grid;                                      /* g */
 
     int contraction[3];
@@ -43,16 +69,13 @@ struct certificate {
     enum reason { REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD } reason;
     int64_t frequency;                             /* m of the eigenpair; c1: 1 */
     bool real;                                     /* the form; also `plain` */
-    int pivot;                                     /* from 1 on */
-    integer eigenvalue[2];                         /* real form: [0] */
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
-    integer *eigenvector;                          /* n - 1, or twice as many */
-    integer radius;
-    integer *inverse;                              /* N x N, row by row */
-    integer modulus;                               /* complex form */
-    int blocks;
+    struct choices pair;
+    int blocks, rises, covers;
     struct block_record *block;
+    struct rise *rise;
+    struct cover *cover;
     int64_t normal[2];
     bool has_splines;                              /* 2 is a letter */
     const char *regularity, *boundary;             /* words over {0,1,2} */
@@ -61,8 +84,8 @@ struct certificate {
     struct witness witness[2];
 
     struct {                                       /* for messages */
-        int scheme, claim, valence, grid, contraction, stability, reason, form, pivot;
-        int eigenvalue, radius, modulus, halfplane, regularity, boundary;
+        int scheme, claim, valence, grid, contraction, stability, reason, form;
+        int halfplane, regularity, boundary;
     } line_of;
 
     const char *text, *end, *next;                 /* still to be read: next */

@@ -49,17 +49,17 @@ static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 
 static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
 {
-    interval a = pair->real, b = pair->imaginary, d;
+    struct affine a = pair->real, b = pair->imaginary, d;
     struct pair out;
 
     if (real) {
-        out.x = grid_div(v.x, a, g);
-        out.y = grid_div(v.y, a, g);
+        out.x = affine_div(v.x, a, g);
+        out.y = affine_div(v.y, a, g);
         return out;
     }
-    d = interval_add(grid_mul(a, a, g), grid_mul(b, b, g));
-    out.x = grid_div(interval_add(grid_mul(v.x, a, g), grid_mul(v.y, b, g)), d, g);
-    out.y = grid_div(interval_sub(grid_mul(v.y, a, g), grid_mul(v.x, b, g)), d, g);
+    d = affine_add(affine_mul(a, a, g), affine_mul(b, b, g));
+    out.x = affine_div(affine_add(affine_mul(v.x, a, g), affine_mul(v.y, b, g)), d, g);
+    out.y = affine_div(affine_sub(affine_mul(v.y, a, g), affine_mul(v.x, b, g)), d, g);
     return out;
 }
 
@@ -95,13 +95,19 @@ struct pair characteristic_at(const struct characteristic *c, const struct refin
     if (f->shift_a == 0 && f->shift_b == 0)
         return out;
     here = net_value(&c->net, c->block, a, b);
-    out.x = interval_sub(out.x, here.x);
-    out.y = interval_sub(out.y, here.y);
+    out.x = affine_sub(out.x, here.x);
+    out.y = affine_sub(out.y, here.y);
     return out;
 }
 
 /* Thin nets
  * --------- */
+
+static void add_error(struct error *rho, struct affine x)
+{
+    rho->c = integer_max(rho->c, interval_rad(x.c));
+    rho->d = integer_max(rho->d, interval_rad(x.d));
+}
 
 /* rho_x, rho_y of f: the largest rad at the labels of the windows of the elements. */
 static void collect_rho(struct refinable *f, const struct characteristic *c,
@@ -115,8 +121,8 @@ static void collect_rho(struct refinable *f, const struct characteristic *c,
                                                   element[i].a + window->label[n].a,
                                                   element[i].b + window->label[n].b);
 
-            f->rho_x = integer_max(f->rho_x, interval_rad(value.x));
-            f->rho_y = integer_max(f->rho_y, interval_rad(value.y));
+            add_error(&f->rho_x, value.x);
+            add_error(&f->rho_y, value.y);
         }
     }
 }

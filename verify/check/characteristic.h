@@ -1,11 +1,17 @@
 #ifndef CHECK_CHARACTERISTIC_H
 #define CHECK_CHARACTERISTIC_H
 
-/* The characteristic net: section 7 of certificate.md. */
+/* The characteristic net: section 7 of certificate.md (of several valences in affine
+ * numbers: certificate-valences.md, section 5). */
 
 #include "element.h"
 #include "spectrum.h"
 #include "spline.h"
+
+/* A bound of the error of c and of d. */
+struct error {
+    integer c, d;
+};
 
 /* One of the three refinable functions that are decided on: the differences
  * d1, d2 (refined by q_1 = 2 a_1, q_2 = 2 a_2) and the values (by q_0). */
@@ -14,7 +20,7 @@ struct refinable {
     struct window window[ELEMENT_KINDS];           /* those that occur */
     int shift_a, shift_b;                          /* (1,0), (0,1); (0,0): values */
     int64_t stability;                             /* T: K <= T/1024 */
-    integer rho_x, rho_y;
+    struct error rho_x, rho_y;
     bool has_basis;                                /* the mask is of a box spline */
     struct basis basis[ELEMENT_KINDS];             /* those that occur */
 };

@@ -10,6 +10,7 @@
 #include "spectrum.h"
 #include "stability.h"
 #include "text.h"
+#include "valences.h"
 
 #include <string.h>
 
@@ -113,7 +114,7 @@ const char *statement_scheme_name(const struct statement *s)
 }
 
 static void compare_subject(const struct certificate *c, const struct statement *s,
-                            int64_t k)
+                            struct span k)
 {
     size_t same = 0;
     int line = c->line_of.scheme + 1;
@@ -129,8 +130,8 @@ static void compare_subject(const struct certificate *c, const struct statement 
     if (c->claim != (s->not_c1 ? CLAIM_NOT_C1 : CLAIM_C1))
         rejected(c->file, c->line_of.claim, "claim: expected %s",
                  s->not_c1 ? "not-c1" : "c1");
-    if (c->valence != k)
-        rejected(c->file, c->line_of.valence, "valence: expected %lld", (long long)k);
+    if (c->valence.first != k.first || c->valence.last != k.last)
+        rejected(c->file, c->line_of.valence, "valence: expected %s", span_text(k));
 }
 
 static void read_statement(struct statement *s)
@@ -229,17 +230,22 @@ static interval *without_constants(const interval *b, int n)
 
 /* The net's unknowns from the box of differences y:
  * x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
-static interval *with_constants(const interval *y, interval l, const interval *b, int n,
-                                int g)
+static struct affine *with_constants(const struct affine *y, struct affine l,
+                                     const interval *b, int n, int g)
 {
-    interval *out = allocate((size_t)n, sizeof out[0]), sum = grid_from(0, g);
+    struct affine *out = allocate((size_t)n, sizeof out[0]), sum = affine_from_whole(0, g);
 
     for (int j = 1; j < n; j++)
-        sum = interval_add(sum, grid_mul(b[j], y[j - 1], g));
-    out[0] = grid_div(sum, interval_sub(l, grid_from(1, g)), g);
+        affine_add_multiple(&sum, b[j], &y[j - 1], g);
+    out[0] = affine_div(sum, affine_sub(l, affine_from_whole(1, g)), g);
     for (int i = 1; i < n; i++)
-        out[i] = interval_add(y[i - 1], out[0]);
+        out[i] = affine_add(y[i - 1], out[0]);
     return out;
+}
+
+static interval *matrix_of(const struct block *block)
+{
+    return affine_constants(block_matrix(block), (size_t)block->size * (size_t)block->size);
 }
 
 /* The rest: all blocks, with `matrix` for that of L, which comes first. */
@@ -247,23 +253,21 @@ static void check_rest(const struct block *block, const interval *matrix,
                        const struct eigenpair *pair, const struct certificate *c)
 {
     for (int i = 0; i < c->blocks; i++)
-        if (c->block[i].first == c->frequency)
+        if (c->block[i].m.first == c->frequency)
             spectrum_prove_rest(matrix, c->size, c->grid, pair, &c->block[i], c);
     for (int i = 0; i < c->blocks; i++) {
         struct mark mark = scratch_mark();
         struct valence v = *block->v;
         struct block other;
-        int64_t first = c->block[i].first, last = c->block[i].last;
+        struct span m = c->block[i].m;
 
-        if (first == c->frequency)
+        if (m.first == c->frequency)
             continue;
         v.reference.line = c->block[i].line;
-        if (first > 1 && first == last && !valence_has_values(&v, first))
-            first--;                               /* a box of its own is too long */
-        block_prepare(&other, &v, c->frequency == 0 ? v.scheme->mirrored : c->real, first,
-                      last);
-        spectrum_prove_rest(block_matrix(&other), other.size, c->grid, pair, &c->block[i],
-                            c);
+        if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
+            m.first--;                             /* a box of its own is too long */
+        block_prepare(&other, &v, c->frequency == 0 ? v.scheme->mirrored : c->real, m);
+        spectrum_prove_rest(matrix_of(&other), other.size, c->grid, pair, &c->block[i], c);
         scratch_release(mark);
     }
 }
@@ -273,7 +277,7 @@ static void check_rest(const struct block *block, const interval *matrix,
 static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
-    interval *b = block_matrix(block), *matrix = b;
+    interval *b = matrix_of(block), *matrix = b;
     struct eigenpair pair;
 
     if (block->plain)
@@ -291,10 +295,11 @@ static struct eigenpair check_spectrum(const struct block *block,
 /* Bounds of L, or of |L| by its square. */
 static interval eigenvalue_size(const struct eigenpair *pair, bool real, int g)
 {
+    interval a = affine_range(pair->real), b = affine_range(pair->imaginary);
+
     if (real)
-        return pair->real;
-    return grid_root(interval_add(grid_mul(pair->real, pair->real, g),
-                                  grid_mul(pair->imaginary, pair->imaginary, g)), g);
+        return a;
+    return grid_root(interval_add(grid_mul(a, a, g), grid_mul(b, b, g)), g);
 }
 
 /* Section 8, or the decisions of section 10. */
@@ -322,13 +327,14 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
+    bool several = span_is_several(c->valence);
     struct characteristic characteristic;
     struct eigenpair pair;
     struct block block;
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
     out.plainly_regular = v->plainly_regular && c->version > 0;
-    if (s->not_c1 && (c->version == 0 || out.plainly_regular))
+    if (s->not_c1 && (c->version == 0 || out.plainly_regular || several))
         rejected(c->file, c->line_of.claim, "claim: there is no such certificate");
     certificate_read_form(c, out.plainly_regular);
     if (out.plainly_regular) {
@@ -339,14 +345,17 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     if (c->real && c->frequency > 0 && !s->scheme.mirrored)
         rejected(c->file, c->line_of.form,
                  "form: the scheme is not evidently mirror-symmetric");
-    block_prepare(&block, v, c->real, c->frequency, c->frequency);
+    if (several)
+        valences_prepare_block(&block, v);
+    else
+        block_prepare(&block, v, c->real, span_of(c->frequency));
     certificate_read_choices(c, block.plain ? block.n - 1 : block.n);
     certificate_read_end(c);
 
     check_contraction(s, c);
     if (c->version > 0)
         check_stability(s, c);
-    pair = check_spectrum(&block, c);
+    pair = several ? valences_prove_spectrum(&block, c) : check_spectrum(&block, c);
     if (c->version == 0)
         check_nonnegative(s, c);
     characteristic_prepare(&characteristic, &block, &pair, s->q, c);
@@ -357,7 +366,21 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     return out;
 }
 
-struct verified check_certificate(struct statement *s, int64_t k, const char *file)
+struct span check_valences(const char *file)
+{
+    struct mark mark = scratch_mark();
+    struct certificate *c = allocate(1, sizeof *c);
+    struct span out;
+    size_t size;
+    const char *text = text_read_file(file, MAX_CERTIFICATE_BYTES, &size);
+
+    certificate_read_subject(c, file, text, size);
+    out = c->valence;
+    scratch_release(mark);
+    return out;
+}
+
+struct verified check_certificate(struct statement *s, struct span k, const char *file)
 {
     struct certificate *c;
     struct verified out;

@@ -18,9 +18,12 @@ struct verified {
     int g;
 };
 
-/* Verifies that the certificate in the file proves the scheme C1 (or not C1) at valence k:
- * returns only if everything is proved. */
-struct verified check_certificate(struct statement *s, int64_t k, const char *file);
+/* Verifies that the certificate in the file proves the scheme C1 (or not C1) at the
+ * valences k: returns only if everything is proved. */
+struct verified check_certificate(struct statement *s, struct span k, const char *file);
+
+/* The valences that the certificate says it is about: nothing is proved by that. */
+struct span check_valences(const char *file);
 
 /* The name of the scheme, once a certificate has been checked. */
 const char *statement_scheme_name(const struct statement *s);

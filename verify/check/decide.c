@@ -42,6 +42,12 @@ static struct patches new_patches(const struct tree *t, enum element_kind kind)
     return out;
 }
 
+static struct affine middle(struct affine x)
+{
+    return (struct affine) { interval_thin(interval_mid(x.c)),
+                             interval_thin(interval_mid(x.d)) };
+}
+
 /* Level 0: the midpoints. */
 static struct patches start_patches(const struct tree *t, const struct element *e)
 {
@@ -54,8 +60,8 @@ static struct patches start_patches(const struct tree *t, const struct element *
             struct pair v = characteristic_at(t->c, t->f[i], e->a + window->label[n].a,
                                               e->b + window->label[n].b);
 
-            out.of[i][n].x = interval_thin(interval_mid(v.x));
-            out.of[i][n].y = interval_thin(interval_mid(v.y));
+            out.of[i][n].x = middle(v.x);
+            out.of[i][n].y = middle(v.y);
         }
     }
     return out;
@@ -67,7 +73,7 @@ static struct pair refine_label(const struct pair *old, const struct window *win
 {
     struct mark mark = scratch_mark();
     int class = stencil_class(mask, a, b);
-    interval sum[2] = { grid_from(0, g), grid_from(0, g) };
+    struct affine sum[2] = { affine_from_whole(0, g), affine_from_whole(0, g) };
 
     for (int i = mask->first[class]; i < mask->first[class + 1]; i++) {
         const struct stencil_entry *e = &mask->entry[i];
@@ -75,10 +81,10 @@ static struct pair refine_label(const struct pair *old, const struct window *win
 
         if (index < 0)
             cannot_check("the checker's windows are too small");
-        sum[0] = interval_add(sum[0], grid_mul(e->weight, old[index].x, g));
-        sum[1] = interval_add(sum[1], grid_mul(e->weight, old[index].y, g));
+        affine_add_multiple(&sum[0], e->weight, &old[index].x, g);
+        affine_add_multiple(&sum[1], e->weight, &old[index].y, g);
     }
-    interval_keep(mark, sum, 2);
+    affine_keep(mark, sum, 2);
     return (struct pair) { sum[0], sum[1] };
 }
 
@@ -115,27 +121,39 @@ static interval widened(interval hull, integer rho, const struct refinable *f,
     return interval_of(integer_sub(mid, e), integer_add(mid, e));
 }
 
+/* c and d each. */
+static struct affine widened_parts(struct affine hull, struct error rho,
+                                   const struct refinable *f, bool version_0)
+{
+    hull.c = widened(hull.c, rho.c, f, version_0);
+    if (!interval_is_zero(hull.d) || rho.d.sign != 0)
+        hull.d = widened(hull.d, rho.d, f, version_0);
+    return hull;
+}
+
 static struct pair patch_box(const struct pair *patch, const struct refinable *f,
                              enum element_kind kind, bool version_0)
 {
     struct pair hull = patch[0];
 
     for (int i = 1; i < f->window[kind].count; i++) {
-        hull.x = interval_hull(hull.x, patch[i].x);
-        hull.y = interval_hull(hull.y, patch[i].y);
+        hull.x = affine_hull(hull.x, patch[i].x);
+        hull.y = affine_hull(hull.y, patch[i].y);
     }
-    hull.x = widened(hull.x, f->rho_x, f, version_0);
-    hull.y = widened(hull.y, f->rho_y, f, version_0);
+    hull.x = widened_parts(hull.x, f->rho_x, f, version_0);
+    hull.y = widened_parts(hull.y, f->rho_y, f, version_0);
     return hull;
+}
+
+static struct affine determinant(const struct pair *v, const struct pair *w, int g)
+{
+    return affine_sub(affine_mul(v->x, w->y, g), affine_mul(v->y, w->x, g));
 }
 
 /* det(d1, d2) > 0 */
 static bool jacobian_is_positive(const struct tree *t, const struct pair *box)
 {
-    int g = t->c->block->v->g;
-
-    return interval_is_positive(interval_sub(grid_mul(box[0].x, box[1].y, g),
-                                             grid_mul(box[0].y, box[1].x, g)));
+    return affine_is_positive(determinant(&box[0], &box[1], t->c->block->v->g));
 }
 
 /* nx x + ny y > 0 */
@@ -144,8 +162,8 @@ static bool half_plane_contains(const struct tree *t, const struct pair *box)
     const int64_t *n = t->certificate->normal;
     int g = t->c->block->v->g;
 
-    return interval_is_positive(interval_add(grid_mul(grid_from(n[0], g), box->x, g),
-                                             grid_mul(grid_from(n[1], g), box->y, g)));
+    return affine_is_positive(affine_add(affine_scale(grid_from(n[0], g), box->x, g),
+                                         affine_scale(grid_from(n[1], g), box->y, g)));
 }
 
 /* det(d1, d2) < 0 */
@@ -159,7 +177,8 @@ static bool jacobian_is_negative(const struct tree *t, const struct pair *box)
 static bool is_not_zero(const struct tree *t, const struct pair *box)
 {
     (void)t;
-    return !interval_contains_zero(box->x) || !interval_contains_zero(box->y);
+    return !interval_contains_zero(affine_range(box->x)) ||
+           !interval_contains_zero(affine_range(box->y));
 }
 
 /* Coefficients
@@ -176,21 +195,17 @@ static bool jacobian_coefficients_are_positive(const struct tree *t,
 
     for (int a = 0; a < side_a; a++) {
         for (int b = 0; b < (p->triangular ? side_a - a : side_b); b++) {
-            interval sum = grid_from(0, g);
+            struct affine sum = affine_from_whole(0, g);
 
             for (int i = 0; i < p->side_a && i <= a; i++) {
                 for (int j = 0; j < p->side_b && j <= b; j++) {
-                    struct pair d1, d2;
-
                     if (!basis_has(p, kind, i, j) || !basis_has(q, kind, a - i, b - j))
                         continue;
-                    d1 = c[0][i * p->side_b + j];
-                    d2 = c[1][(a - i) * q->side_b + b - j];
-                    sum = interval_add(sum, interval_sub(grid_mul(d1.x, d2.y, g),
-                                                         grid_mul(d1.y, d2.x, g)));
+                    sum = affine_add(sum, determinant(&c[0][i * p->side_b + j],
+                                     &c[1][(a - i) * q->side_b + b - j], g));
                 }
             }
-            if (!interval_is_positive(sum))
+            if (!affine_is_positive(sum))
                 return false;
         }
     }
@@ -209,17 +224,23 @@ static bool half_plane_contains_coefficients(const struct tree *t, enum element_
     return true;
 }
 
+/* [-rho, rho] */
+static struct affine around_zero(struct error rho)
+{
+    return (struct affine) { { integer_negate(rho.c), rho.c },
+                             { integer_negate(rho.d), rho.d } };
+}
+
 /* The patch with its values widened by rho. */
 static struct pair *widened_patch(const struct pair *patch, const struct refinable *f,
                                   int count)
 {
     struct pair *out = allocate((size_t)count, sizeof out[0]);
-    interval x = { integer_negate(f->rho_x), f->rho_x };
-    interval y = { integer_negate(f->rho_y), f->rho_y };
+    struct affine x = around_zero(f->rho_x), y = around_zero(f->rho_y);
 
     for (int n = 0; n < count; n++) {
-        out[n].x = interval_add(patch[n].x, x);
-        out[n].y = interval_add(patch[n].y, y);
+        out[n].x = affine_add(patch[n].x, x);
+        out[n].y = affine_add(patch[n].y, y);
     }
     return out;
 }

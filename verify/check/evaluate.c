@@ -36,12 +36,19 @@ static enum truth decide(const struct node *condition, const struct environment 
     return out;
 }
 
-bool condition_holds(const struct node *condition, const struct environment *e)
+enum truth condition_truth(const struct node *condition, const struct environment *e)
 {
     struct mark mark = scratch_mark();
     enum truth out = decide(condition, e, true);
 
     scratch_release(mark);
+    return out;
+}
+
+bool condition_holds(const struct node *condition, const struct environment *e)
+{
+    enum truth out = condition_truth(condition, e);
+
     if (out == UNKNOWN)
         cannot_check_at(e->language->file, condition->line, condition->column,
                         "this comparison cannot be decided");
@@ -67,12 +74,13 @@ static void evaluate_chain(struct value *out, const struct node *f,
         value_function(out, NULL, f, e->g);
 }
 
-/* Over a range of m the hull of all cases that may apply, up to one that certainly
+/* Over a range of m or k the hull of all cases that may apply, up to one that certainly
  * does. */
 static void evaluate_cases(struct value *out, const struct node *f,
                            const struct environment *e)
 {
-    bool range = e->first < e->last && (f->meaning & MEANS_M) != 0, several = false;
+    bool range = (span_is_several(e->m) && (f->meaning & MEANS_M) != 0) ||
+                 (span_is_several(e->k) && (f->meaning & MEANS_K) != 0), several = false;
 
     for (const struct node *n = f->first; n != NULL; n = n->next->next) {
         enum truth truth = n->next == NULL ? YES : decide(n, e, false);
@@ -83,7 +91,7 @@ static void evaluate_cases(struct value *out, const struct node *f,
             return;
         }
         if (truth != NO && several)
-            value_hull(out, operand(here, e), e->g);
+            value_hull(out, operand(here, e), here, e->g);
         else if (truth != NO)
             evaluate_into(out, here, e);
         if (truth == YES)
@@ -106,13 +114,13 @@ static void evaluate_into(struct value *out, const struct node *f,
         value_constant(out, f);
         break;
     case NODE_K:
-        value_variable(out, e->k, e->k, f);
+        value_variable(out, e->k, span_is_several(e->k), f);
         break;
     case NODE_M:
-        value_variable(out, e->first, e->last, f);
+        value_variable(out, e->m, span_is_several(e->k), f);
         break;
     case NODE_J:
-        value_variable(out, e->j, e->j, f);
+        value_variable(out, e->j, false, f);
         break;
     case NODE_NAME:
         *out = e->definition[f->name];
@@ -135,10 +143,10 @@ struct value evaluate(const struct node *formula, const struct environment *e)
     return out;
 }
 
-struct environment environment_make(const struct language *l, int64_t k, int64_t first,
-                                    int64_t last, int64_t j, int g)
+struct environment environment_make(const struct language *l, struct span k, struct span m,
+                                    struct span j, int g)
 {
-    struct environment out = { l, k, first, last, j, g, NULL };
+    struct environment out = { l, k, m, j, g, NULL };
 
     out.definition = allocate((size_t)l->count, sizeof out.definition[0]);
     for (int i = 0; i < l->count; i++) {
@@ -154,4 +162,9 @@ struct environment environment_make(const struct language *l, int64_t k, int64_t
                               grid_from_rational(d->high, g)));
     }
     return out;
+}
+
+struct environment environment_plain(const struct language *l, int g)
+{
+    return environment_make(l, NOTHING, NOTHING, NOTHING, g);
 }

@@ -5,9 +5,11 @@ CHECK_SOURCES = \
   verify/check/answer.h verify/check/answer.c \
   verify/check/scratch.h verify/check/scratch.c \
   verify/check/integer.h verify/check/integer.c \
+  verify/check/span.h \
   verify/check/rational.h verify/check/rational.c \
   verify/check/grid.h verify/check/grid.c \
   verify/check/trig.h verify/check/trig.c \
+  verify/check/affine.h verify/check/affine.c \
   verify/check/sha256.h verify/check/sha256.c \
   verify/check/text.h verify/check/text.c \
   verify/check/formula.h verify/check/formula.c \
@@ -22,12 +24,16 @@ CHECK_SOURCES = \
   verify/check/valence.h verify/check/valence.c \
   verify/check/sector.h verify/check/sector.c \
   verify/check/spectrum.h verify/check/spectrum.c \
+  verify/check/slopes.h verify/check/slopes.c \
+  verify/check/valences.h verify/check/valences.c \
   verify/check/element.h verify/check/element.c \
   verify/check/spline.h verify/check/spline.c \
   verify/check/influence.h verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
   verify/check/check.h verify/check/check.c \
+  verify/check/claim.h verify/check/claim.c \
+  verify/check/folder.h verify/check/folder.c \
   verify/check/main.c
 
 bin_PROGRAMS += smoothcert-check

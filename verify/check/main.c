@@ -25,36 +25,43 @@
  *     certificate     section 1, the file
  *     regular         section 4, C1 on the regular complex
  *     stability       section 4, the constants K        (lib/stability.md)
- *     valence         section 5, the rules at one valence
+ *     valence         section 5, the rules at one valence or several
+ *     affine          affine numbers                    (certificate-valences.md)
  *     sector          section 5, sector nets and blocks
  *     spectrum        section 6, the spectrum
+ *     slopes          eigenpairs of several valences    (certificate-valences.md)
+ *     valences        the spectrum of several valences  (certificate-valences.md)
  *     element         section 7, elements, windows, rings
  *     spline          section 7, limits that are polynomials
  *     influence       section 7, how far rules matter   (lib/ring.md)
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions
  *     check           sections 3 to 9, one after the other
+ *     claim           the valences that are claimed
+ *     folder          the certificates of a folder
  *     main            arguments and section 10
  */
 
 #include "answer.h"
 #include "check.h"
+#include "folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_SETTINGS = 64, MAX_RANGES = 1000 };
+enum { MAX_SETTINGS = 64 };
 
 static const char USAGE[] =
     "Usage: smoothcert-check --scheme FILE [--set NAME=VALUE]... --valence LIST\n"
     "                        --claim c1|not-c1 CERTIFICATE|DIRECTORY\n"
-    "Checks a certificate that the scheme in FILE is C1 (is not C1) at a valence, or\n"
-    "the certificates DIRECTORY/valence-K.cert for all K of a list.\n"
+    "Checks a certificate that the scheme in FILE is C1 (is not C1) at a valence or a\n"
+    "range of valences, or certificates in DIRECTORY (*.cert) that together are about\n"
+    "all of a list, each valence once.\n"
     "\n"
     "      --scheme=FILE      the scheme, in the language of smoothcert-scheme(5)\n"
     "      --set=NAME=VALUE   a parameter's value, in place of that in FILE\n"
-    "      --valence=LIST     numbers and ranges, e.g. 3..7,20\n"
+    "      --valence=LIST     numbers and ranges, e.g. 3..7,20..inf; all: 3..inf\n"
     "      --claim=CLAIM      the claim: c1 or not-c1\n"
     "      --help             print this text and exit\n"
     "      --version          print the version and exit\n"
@@ -66,9 +73,8 @@ static const char USAGE[] =
 
 struct arguments {
     const char *scheme, *valence, *claim, *certificate;
-    int settings, ranges;
+    int settings;
     struct setting setting[MAX_SETTINGS];
-    int64_t range[MAX_RANGES][2];
 };
 
 /* The value of the option `name` in arguments[*i], or of --name=value; NULL if
@@ -113,44 +119,6 @@ static void add_setting(struct arguments *out, const char *text)
         if (strcmp(out->setting[i].name, name) == 0)
             cannot_check("--set: `%s` is set twice", name);
     out->setting[out->settings++] = (struct setting) { name, sign + 1, false };
-}
-
-/* A number without leading zeros from 3 to 10^9 at *text, which moves behind it. */
-static int64_t read_valence(const char **text)
-{
-    int64_t k = 0;
-
-    for (; **text >= '0' && **text <= '9' && k <= 1000000000; (*text)++) {
-        if (k == 0 && **text == '0')
-            break;
-        k = 10 * k + (**text - '0');
-    }
-    if (k < 3 || k > 1000000000)
-        cannot_check("--valence: expected numbers in 3..1000000000, such as 3..7,20");
-    return k;
-}
-
-static void read_valences(struct arguments *out)
-{
-    const char *text = out->valence;
-
-    for (;;) {
-        int64_t *range = out->range[out->ranges];
-
-        if (out->ranges++ == MAX_RANGES)
-            cannot_check("--valence: expected at most %d ranges", MAX_RANGES);
-        range[0] = range[1] = read_valence(&text);
-        if (strncmp(text, "..", 2) == 0) {
-            text += 2;
-            range[1] = read_valence(&text);
-        }
-        if (range[1] < range[0])
-            cannot_check("--valence: expected ranges such as 3..7");
-        if (*text == '\0')
-            return;
-        if (*text++ != ',')
-            cannot_check("--valence: expected numbers and ranges, such as 3..7,20");
-    }
 }
 
 /* Output that did not arrive is no answer. */
@@ -211,24 +179,6 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
         cannot_check("no certificate is given (see --help)");
     if (strcmp(out->claim, "c1") != 0 && strcmp(out->claim, "not-c1") != 0)
         cannot_check("--claim: expected c1 or not-c1");
-    read_valences(out);
-}
-
-/* The file for valence k: DIRECTORY/valence-K.cert, if there is such a file or if there
- * are several valences; else what is named itself. */
-static const char *certificate_file(const struct arguments *a, int64_t k)
-{
-    size_t size = strlen(a->certificate) + 64;
-    char *name = allocate(size, 1);
-    FILE *file;
-
-    snprintf(name, size, "%s/valence-%lld.cert", a->certificate, (long long)k);
-    file = fopen(name, "rb");
-    if (file != NULL)
-        fclose(file);
-    else if (a->ranges == 1 && a->range[0][0] == a->range[0][1])
-        return a->certificate;
-    return name;
 }
 
 /* The answer
@@ -249,14 +199,14 @@ static void print_decimal(integer a, bool ceiling, int g)
            (int)(value % TEN_TO_DIGITS));
 }
 
-/* L lies strictly inside of its interval (section 6). */
-static void print_verified(const char *scheme, bool not_c1, int64_t k,
+/* L lies strictly inside of its interval (section 6), at one valence. */
+static void print_verified(const char *scheme, bool not_c1, struct span k,
                            const struct verified *v)
 {
-    const char *name = v->real ? "L" : "|L|";
+    const char *name = v->real ? "L" : "|L|", *less = span_is_several(k) ? "<=" : "<";
 
-    printf("verified: %s is %sC1 at valence %lld (", scheme, not_c1 ? "not " : "",
-           (long long)k);
+    printf("verified: %s is %sC1 at %s %s (", scheme, not_c1 ? "not " : "",
+           span_is_several(k) ? "valences" : "valence", span_text(k));
     if (v->plainly_regular) {
         printf("plainly regular)\n");
         return;
@@ -264,7 +214,7 @@ static void print_verified(const char *scheme, bool not_c1, int64_t k,
     if (not_c1)
         printf("frequency %lld: ", (long long)v->frequency);
     print_decimal(v->eigenvalue.lo, false, v->g);
-    printf(" < %s < ", name);
+    printf(" %s %s %s ", less, name, less);
     print_decimal(v->eigenvalue.hi, true, v->g);
     printf(")\n");
 }
@@ -272,18 +222,21 @@ static void print_verified(const char *scheme, bool not_c1, int64_t k,
 int main(int count, char **arguments)
 {
     struct arguments *a = allocate(1, sizeof *a);
+    struct claim *claim = allocate(1, sizeof *claim);
     struct statement *statement;
-    struct verified v;
+    struct folder folder;
     bool not_c1;
 
     read_arguments(a, count, arguments);
+    claim_read(claim, a->valence);
     not_c1 = strcmp(a->claim, "not-c1") == 0;
     statement = statement_new(a->scheme, a->setting, a->settings, not_c1);
-    for (int i = 0; i < a->ranges; i++) {
-        for (int64_t k = a->range[i][0]; k <= a->range[i][1]; k++) {
-            v = check_certificate(statement, k, certificate_file(a, k));
-            print_verified(statement_scheme_name(statement), not_c1, k, &v);
-        }
+    folder_partition(&folder, a->certificate, claim);
+    for (int i = 0; i < folder.count; i++) {
+        struct span k = folder.file[i].k;
+        struct verified v = check_certificate(statement, k, folder.file[i].name);
+
+        print_verified(statement_scheme_name(statement), not_c1, k, &v);
     }
     finish_output();
     return ANSWER_VERIFIED;

@@ -102,7 +102,7 @@ static void read_header(struct reader *r)
 static rational read_rational(struct cursor *c, struct language *l)
 {
     struct cursor place = *c;
-    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    struct environment e = environment_plain(l, EXACT_GRID);
     struct value v = evaluate(formula_read(c, l, 0), &e);
 
     value_require(v, l, NULL, 0);
@@ -277,7 +277,7 @@ static void name_point(struct mask_reader *m, int a, int b, bool symmetric, rati
 static void read_mask_entry(struct mask_reader *m, struct cursor *c, bool symmetric,
                             struct language *l)
 {
-    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    struct environment e = environment_plain(l, EXACT_GRID);
     struct cursor place = *c;
     struct value v;
     int a, b;
@@ -616,7 +616,7 @@ static void read_smooth(struct reader *r, struct cursor *c)
 static bool read_average(struct reader *r, struct cursor *c)
 {
     struct language *l = &r->scheme->language;
-    struct environment e = environment_make(l, -1, -1, -1, -1, EXACT_GRID);
+    struct environment e = environment_plain(l, EXACT_GRID);
     bool out = true;
 
     if (cursor_accept_word(c, "when"))

@@ -46,15 +46,16 @@ enum place label_turn(enum mesh mesh, int *a, int *b)
     return OPPOSITE;
 }
 
-static struct pair apply_matrix(const interval m[4], struct pair v, int g)
+static struct pair apply_matrix(const struct affine m[4], struct pair v, int g)
 {
-    struct pair out = { interval_add(grid_mul(m[0], v.x, g), grid_mul(m[1], v.y, g)),
-                        interval_add(grid_mul(m[2], v.x, g), grid_mul(m[3], v.y, g)) };
+    struct pair out = { affine_add(affine_mul(m[0], v.x, g), affine_mul(m[1], v.y, g)),
+                        affine_add(affine_mul(m[2], v.x, g), affine_mul(m[3], v.y, g)) };
 
     return out;
 }
 
-static void set_matrix(interval m[4], interval m0, interval m1, interval m2, interval m3)
+static void set_matrix(struct affine m[4], struct affine m0, struct affine m1,
+                       struct affine m2, struct affine m3)
 {
     m[0] = m0;
     m[1] = m1;
@@ -62,42 +63,40 @@ static void set_matrix(interval m[4], interval m0, interval m1, interval m2, int
     m[3] = m3;
 }
 
-/* The hull of cos(pi first q) and cos(pi last q), q = num/k; or of sines. */
-static interval over_range(interval (*f)(rational, int), int64_t num,
-                           const struct block *block)
+/* At one valence: the hull of cos(pi m q) over the frequencies m, q = num/k; or of sines. */
+static struct affine over_range(interval (*f)(rational, int), int64_t num,
+                                const struct block *block)
 {
     const struct valence *v = block->v;
-    interval out = f(rational_from(num * block->first, v->k), v->g);
+    interval out = f(rational_from(num * block->m.first, v->k.first), v->g);
 
-    if (block->first == block->last)
-        return out;
-    return interval_hull(out, f(rational_from(num * block->last, v->k), v->g));
+    if (span_is_several(block->m))
+        out = interval_hull(out, f(rational_from(num * block->m.last, v->k.first), v->g));
+    return affine_from(out);
 }
 
-static void prepare_turn(struct block *out)
+/* c, n and v of the real form. */
+static void turn_by_u(struct block *out, struct affine u)
 {
     int g = out->v->g;
-    int64_t k = out->v->k;
-    interval one = grid_from(1, g), c, s;
+    struct affine one = affine_from_whole(1, g), v = affine_add(u, u);
+    struct affine c = affine_sub(affine_mul(v, u, g), one);
+    struct affine n = affine_mul(v, affine_sub(one, affine_mul(u, u, g)), g);
 
-    if (out->plain)
-        return;
-    if (out->real) {
-        interval u = over_range(grid_cos_pi, 1, out), v = interval_add(u, u), n;
+    out->u = u;
+    set_matrix(out->turn, c, affine_minus(n), v, c);
+    set_matrix(out->back, c, n, affine_minus(v), c);
+}
 
-        out->u = u;
-        c = interval_sub(grid_mul(v, u, g), one);
-        n = grid_mul(v, interval_sub(one, grid_mul(u, u, g)), g);
-        set_matrix(out->turn, c, interval_minus(n), v, c);
-        set_matrix(out->back, c, n, interval_minus(v), c);
-        return;
-    }
-    c = over_range(grid_cos_pi, 2, out);
-    s = over_range(grid_sin_pi, 2, out);
-    if (out->first < out->last && 4 * out->first <= k && k <= 4 * out->last)
-        s = interval_hull(s, one);
-    set_matrix(out->turn, c, interval_minus(s), s, c);
-    set_matrix(out->back, c, s, interval_minus(s), c);
+static void turn_by_angle(struct block *out)
+{
+    int64_t k = out->v->k.first;
+    struct affine c = over_range(grid_cos_pi, 2, out), s = over_range(grid_sin_pi, 2, out);
+
+    if (span_is_several(out->m) && 4 * out->m.first <= k && k <= 4 * out->m.last)
+        s = affine_hull(s, affine_from_whole(1, out->v->g));
+    set_matrix(out->turn, c, affine_minus(s), s, c);
+    set_matrix(out->back, c, s, affine_minus(s), c);
 }
 
 /* Nets
@@ -140,7 +139,6 @@ void net_set(struct net *net, int a, int b, struct pair value)
 struct pair net_value(const struct net *net, const struct block *block, int a, int b)
 {
     size_t here = cell(net, a, b);
-    int64_t regular = net->mesh == TRIANGLE ? 6 : 4;
     enum place place;
     struct pair out;
 
@@ -154,7 +152,7 @@ struct pair net_value(const struct net *net, const struct block *block, int a, i
             cannot_check("the checker looks for a point outside of its net");
         return net->value[here];                   /* 0 */
     }
-    if (place == OPPOSITE && block->v->k == regular) {
+    if (place == OPPOSITE && valence_is_regular(block->v)) {
         label_from_next(net->mesh, &a, &b);
         place = BEHIND;
     }
@@ -173,16 +171,15 @@ struct pair net_value(const struct net *net, const struct block *block, int a, i
 
 static void add_pair(struct pair *sum, struct pair term)
 {
-    sum->x = interval_add(sum->x, term.x);
-    sum->y = interval_add(sum->y, term.y);
+    sum->x = affine_add(sum->x, term.x);
+    sum->y = affine_add(sum->y, term.y);
 }
 
 static struct pair zero_pair(void)
 {
-    interval zero = interval_thin(integer_from(0));
-    struct pair out = { zero, zero };
+    struct affine zero = affine_from(interval_thin(integer_from(0)));
 
-    return out;
+    return (struct pair) { zero, zero };
 }
 
 static struct pair value_by_rule(const struct net *old, const struct block *block,
@@ -198,7 +195,7 @@ static struct pair value_by_rule(const struct net *old, const struct block *bloc
                       : net_value(old, block, t->source->a, t->source->b);
 
         if (block->plain)
-            sum.x = interval_add(sum.x, grid_mul(t->m[0], v.x, g));
+            affine_add_multiple(&sum.x, t->m[0].c, &v.x, g);
         else
             add_pair(&sum, apply_matrix(t->m, v, g));
     }
@@ -216,9 +213,9 @@ static struct pair value_by_mask(const struct net *old, const struct block *bloc
         struct pair v = net_value(old, block, (a - e->a) / s->dilation,
                                   (b - e->b) / s->dilation);
 
-        sum.x = interval_add(sum.x, grid_mul(e->weight, v.x, g));
+        affine_add_multiple(&sum.x, e->weight, &v.x, g);
         if (!block->plain)
-            sum.y = interval_add(sum.y, grid_mul(e->weight, v.y, g));
+            affine_add_multiple(&sum.y, e->weight, &v.y, g);
     }
     return sum;
 }
@@ -234,7 +231,7 @@ static struct pair centre_by_mask(const struct net *old, const struct block *blo
         if (s->entry[i].a != 0 || s->entry[i].b != 0)
             cannot_check("the centre has no rule, and the mask does not give it its "
                          "old value");
-        out.x = grid_mul(s->entry[i].weight, old->centre.x, block->v->g);
+        out.x = affine_scale(s->entry[i].weight, old->centre.x, block->v->g);
     }
     return out;
 }
@@ -284,11 +281,12 @@ struct net net_subdivide(const struct net *old, const struct block *block, int r
  * -------------------------- */
 
 /* m = W T^s */
-static void power_matrix(interval m[4], interval w, int sectors, const struct block *block)
+static void power_matrix(struct affine m[4], interval w, int sectors,
+                         const struct block *block)
 {
     int g = block->v->g, turns = sectors < 0 ? -sectors : sectors;
-    interval one = grid_from(1, g), zero = grid_from(0, g);
-    const interval *t = sectors < 0 ? block->back : block->turn;
+    struct affine one = affine_from_whole(1, g), zero = affine_from_whole(0, g);
+    const struct affine *t = sectors < 0 ? block->back : block->turn;
 
     set_matrix(m, one, zero, zero, one);
     for (int i = 0; !block->plain && i < turns; i++) {
@@ -299,23 +297,24 @@ static void power_matrix(interval m[4], interval w, int sectors, const struct bl
         set_matrix(m, left.x, right.x, left.y, right.y);
     }
     for (int i = 0; i < 4; i++)
-        m[i] = grid_mul(w, m[i], g);
+        m[i] = affine_scale(w, m[i], g);
 }
 
 /* m = sum of W_j T_j */
-static void each_matrix(interval m[4], const interval *each, const struct block *block)
+static void each_matrix(struct affine m[4], const interval *each,
+                        const struct block *block)
 {
     const struct valence *v = block->v;
-    interval h = grid_sin_pi(rational_from(block->first, v->k), v->g);
+    interval h = grid_sin_pi(rational_from(block->m.first, v->k.first), v->g);
 
-    if (block->first < block->last)
+    if (span_is_several(block->m))
         rejected(v->reference.file, v->reference.line,
                  "a weight for each sector is for single frequencies only");
     for (int i = 0; i < 4; i++)
-        m[i] = grid_from(0, v->g);
-    for (int64_t j = 0; j < v->k; j++) {
+        m[i] = affine_from_whole(0, v->g);
+    for (int64_t j = 0; j < v->k.first; j++) {
         struct mark mark = scratch_mark();
-        int64_t n = block->first * j % v->k;
+        int64_t n = block->m.first * j % v->k.first;
         interval c = v->cosine[n], s = v->sine[n];
         interval t[4] = { c, interval_minus(s), s, c };
 
@@ -324,8 +323,8 @@ static void each_matrix(interval m[4], const interval *each, const struct block 
             t[2] = grid_div(s, h, v->g);
         }
         for (int i = 0; i < 4; i++)
-            m[i] = interval_add(m[i], grid_mul(each[j], t[i], v->g));
-        interval_keep(mark, m, 4);
+            m[i].c = interval_add(m[i].c, grid_mul(each[j], t[i], v->g));
+        affine_keep(mark, m, 4);
     }
 }
 
@@ -339,30 +338,31 @@ static interval formula_at(const struct node *formula, const struct environment 
 }
 
 /* m = (R, -I; I, R).  I counts as 0 at m = k/2. */
-static void spectrum_matrix(interval m[4], const struct source *s,
+static void spectrum_matrix(struct affine m[4], const struct source *s,
                             const struct block *block)
 {
     const struct valence *v = block->v;
-    struct environment e = environment_make(&v->scheme->language, v->k, block->first,
-                                            block->last, -1, v->g);
-    interval r = formula_at(s->weight, &e, v), i = grid_from(0, v->g);
+    struct environment e =
+        environment_make(&v->scheme->language, v->k, block->m, NOTHING, v->g);
+    struct affine r = affine_from(formula_at(s->weight, &e, v));
+    struct affine i = affine_from_whole(0, v->g);
 
-    if (s->imaginary != NULL && 2 * block->first != v->k) {
-        i = formula_at(s->imaginary, &e, v);
-        if (2 * block->last >= v->k)
-            i = interval_hull(i, grid_from(0, v->g));
+    if (s->imaginary != NULL && 2 * block->m.first != v->k.first) {
+        i.c = formula_at(s->imaginary, &e, v);
+        if (2 * block->m.last >= v->k.first)
+            i.c = interval_hull(i.c, grid_from(0, v->g));
     }
-    set_matrix(m, r, interval_minus(i), i, r);
+    set_matrix(m, r, affine_minus(i), i, r);
 }
 
 /* False if the source contributes nothing. */
 static bool make_term(struct term *out, const struct weighted *w,
                       const struct block *block)
 {
-    interval zero = grid_from(0, block->v->g);
+    struct affine zero = affine_from_whole(0, block->v->g), weight = affine_from(w->weight);
 
     out->source = w->source;
-    set_matrix(out->m, w->weight, zero, zero, w->weight);
+    set_matrix(out->m, weight, zero, zero, weight);
     if (block->plain)                              /* all weights are totals */
         return true;
     switch (w->source->kind) {
@@ -466,9 +466,9 @@ static void list_unknowns(struct block *out)
 }
 
 void net_set_unknowns(struct net *out, const struct block *block,
-                      const interval *unknowns)
+                      const struct affine *unknowns)
 {
-    interval zero = grid_from(0, block->v->g);
+    struct affine zero = affine_from_whole(0, block->v->g);
     int g = block->v->g;
 
     for (int i = 0; i < block->n; i++) {
@@ -488,14 +488,14 @@ void net_set_unknowns(struct net *out, const struct block *block,
             net_set(out, a, b, value);
             break;
         case UNKNOWN_BISECTOR:
-            value.x = grid_mul(block->u, unknowns[i], g);
+            value.x = affine_mul(block->u, unknowns[i], g);
             value.y = unknowns[i];
             net_set(out, a, b, value);
             break;
         case UNKNOWN_X:                            /* UNKNOWN_Y is unknown i + 1 */
             value.y = unknowns[i + 1];
             net_set(out, a, b, value);
-            value.y = interval_minus(value.y);     /* V(b,a) = T (x, -y) */
+            value.y = affine_minus(value.y);       /* V(b,a) = T (x, -y) */
             net_set(out, b, a, apply_matrix(block->turn, value, g));
             break;
         case UNKNOWN_Y:
@@ -507,24 +507,45 @@ void net_set_unknowns(struct net *out, const struct block *block,
 /* Blocks
  * ------ */
 
-void block_prepare(struct block *out, const struct valence *v, bool real, int64_t first,
-                   int64_t last)
+static void begin_block(struct block *out, const struct valence *v, bool real,
+                        struct span m)
 {
     memset(out, 0, sizeof *out);
     out->v = v;
-    out->first = first;
-    out->last = last;
-    out->plain = first == 0;
+    out->m = m;
+    out->plain = m.first == 0;
     out->real = real && !out->plain;
     out->rings = scheme_rings(v->scheme);
-    prepare_turn(out);
+}
+
+/* The rest, once T is known. */
+static void finish_block(struct block *out)
+{
     prepare_rules(out);
     list_unknowns(out);
     out->size = out->plain || out->real ? out->n : 2 * out->n;
 }
 
+void block_prepare(struct block *out, const struct valence *v, bool real, struct span m)
+{
+    begin_block(out, v, real, m);
+    if (out->real)
+        turn_by_u(out, over_range(grid_cos_pi, 1, out));
+    else if (!out->plain)
+        turn_by_angle(out);
+    finish_block(out);
+}
+
+void block_prepare_over(struct block *out, const struct valence *v, struct span m,
+                        struct affine u)
+{
+    begin_block(out, v, true, m);
+    turn_by_u(out, u);
+    finish_block(out);
+}
+
 /* The value of a net at an unknown; `second`: the imaginary part. */
-static interval read_off(const struct net *net, const struct block *block, int i,
+static struct affine read_off(const struct net *net, const struct block *block, int i,
                          bool second)
 {
     const struct unknown *unknown = &block->unknown[i];
@@ -536,28 +557,28 @@ static interval read_off(const struct net *net, const struct block *block, int i
     return v.x;
 }
 
-interval *block_matrix(const struct block *block)
+struct affine *block_matrix(const struct block *block)
 {
     size_t size = (size_t)block->size, n = (size_t)block->n;
-    interval *matrix = allocate(size * size, sizeof matrix[0]);
-    interval *unit = allocate(2 * n, sizeof unit[0]);
-    interval *column = allocate(size, sizeof column[0]);
+    struct affine *matrix = allocate(size * size, sizeof matrix[0]);
+    struct affine *unit = allocate(2 * n, sizeof unit[0]);
+    struct affine *column = allocate(size, sizeof column[0]);
 
     for (size_t j = 0; j < n; j++) {
         struct mark mark = scratch_mark();
         struct net net = net_make(block->v->scheme->mesh, block->rings);
 
-        unit[j] = grid_from(1, block->v->g);
+        unit[j] = affine_from_whole(1, block->v->g);
         net_set_unknowns(&net, block, unit);
         net = net_subdivide(&net, block, block->rings);
         for (size_t i = 0; i < size; i++)
             column[i] = read_off(&net, block, (int)(i % n), i >= n);
-        interval_keep(mark, column, size);
-        unit[j] = interval_thin(integer_from(0));
+        affine_keep(mark, column, size);
+        unit[j] = affine_from_whole(0, block->v->g);
         for (size_t i = 0; i < size; i++)
             matrix[i * size + j] = column[i];
         for (size_t i = 0; size > n && i < n; i++) {
-            matrix[i * size + n + j] = interval_minus(column[i + n]);
+            matrix[i * size + n + j] = affine_minus(column[i + n]);
             matrix[(i + n) * size + n + j] = column[i];
         }
     }

@@ -9,10 +9,11 @@
  * value is a pair; for m = 0 values are plain: y is 0 and not used.
  */
 
+#include "affine.h"
 #include "valence.h"
 
 struct pair {
-    interval x, y;
+    struct affine x, y;
 };
 
 /* Where a label of the plane is. */
@@ -51,7 +52,7 @@ struct unknown {
 /* A source of a rule: the pairs at its label are multiplied by a matrix. */
 struct term {
     const struct source *source;
-    interval m[4];                                 /* m0 m1; m2 m3 */
+    struct affine m[4];                            /* m0 m1; m2 m3 */
 };
 
 struct block_rule {
@@ -62,9 +63,9 @@ struct block_rule {
 /* What a computation on the nets of some frequencies depends on. */
 struct block {
     const struct valence *v;
-    int64_t first, last;                           /* m */
+    struct span m;
     bool plain, real;                              /* m = 0; m >= 1 in real form */
-    interval turn[4], back[4], u;                  /* T, T^-1 */
+    struct affine turn[4], back[4], u;             /* T, T^-1 */
     struct block_rule *rule[MAX_STEPS];            /* as in v->step[].rule */
     int rings;                                     /* R */
     int n;                                         /* number of unknowns */
@@ -78,12 +79,15 @@ int scheme_rings(const struct scheme *scheme);
 /* needed(j) of a scheme. */
 int scheme_needs(const struct scheme *scheme, int j);
 
-/* The block of the frequencies first..last. */
-void block_prepare(struct block *out, const struct valence *v, bool real, int64_t first,
-                   int64_t last);
+/* The block of the frequencies m. */
+void block_prepare(struct block *out, const struct valence *v, bool real, struct span m);
+
+/* The same in the real form, for u in place of what follows from k and m. */
+void block_prepare_over(struct block *out, const struct valence *v, struct span m,
+                        struct affine u);
 
 /* M: size x size, row by row. */
-interval *block_matrix(const struct block *block);
+struct affine *block_matrix(const struct block *block);
 
 /* A net of zeros with that many rings. */
 struct net net_make(enum mesh mesh, int rings);
@@ -94,7 +98,7 @@ void net_set(struct net *net, int a, int b, struct pair value);
 /* Sets the values on the rings 1..R (and the centre) from the unknowns (complex
  * form: real parts, then imaginary parts). */
 void net_set_unknowns(struct net *out, const struct block *block,
-                      const interval *unknowns);
+                      const struct affine *unknowns);
 
 /* V(a,b) for any label of the plane that is not opposite. */
 struct pair net_value(const struct net *net, const struct block *block, int a, int b);

@@ -6,8 +6,7 @@
 
 enum { INVERSE_BITS = 32, MAX_MAGNITUDE_BITS = 64 };
 
-/* sum + x y */
-static interval add_product(interval sum, interval x, interval y, int g)
+interval spectrum_add_product(interval sum, interval x, interval y, int g)
 {
     integer_count_work(0, 0);
     if (interval_is_zero(x) || interval_is_zero(y))
@@ -16,18 +15,7 @@ static interval add_product(interval sum, interval x, interval y, int g)
 }
 
 /* The eigenpair
- * -------------
- *
- * What the Krawczyk step works on; unknowns are counted from 0.  In the complex form
- * a vector has its real parts, then its imaginary parts. */
-struct krawczyk {
-    int g, n, size, pivot;
-    bool real;
-    const interval *m;                             /* size x size */
-    interval *mid, *box;                           /* x~ and X, fixed ones too */
-    interval l_mid[2], l_box[2];                   /* L~ and X_L: alpha, beta */
-    interval *f, *slope, *inverse;                 /* f; G and Y, size x size */
-};
+ * ------------- */
 
 static interval box_round(integer centre, integer radius)
 {
@@ -45,7 +33,7 @@ static interval turned(const struct krawczyk *s, const interval *x, int i)
     return i < s->n ? interval_minus(x[i + s->n]) : x[i - s->n];
 }
 
-static void read_choices(struct krawczyk *s, const struct certificate *c)
+static void read_choices(struct krawczyk *s, const struct choices *c, integer radius)
 {
     size_t size = (size_t)s->size;
 
@@ -57,14 +45,14 @@ static void read_choices(struct krawczyk *s, const struct certificate *c)
 
     for (int i = 0; i < 2; i++) {
         s->l_mid[i] = interval_thin(c->eigenvalue[i]);
-        s->l_box[i] = box_round(c->eigenvalue[i], c->radius);
+        s->l_box[i] = box_round(c->eigenvalue[i], radius);
     }
     for (int i = 0, other = 0; i < s->size; i++) {
         if (is_fixed(s, i)) {
             s->mid[i] = s->box[i] = grid_from(i == s->pivot ? 1 : 0, s->g);
         } else {
             s->mid[i] = interval_thin(c->eigenvector[other]);
-            s->box[i] = box_round(c->eigenvector[other++], c->radius);
+            s->box[i] = box_round(c->eigenvector[other++], radius);
         }
     }
     for (size_t i = 0; i < size * size; i++)       /* exact, since g >= 64 */
@@ -80,7 +68,7 @@ static void compute_residual(struct krawczyk *s)
         interval sum = grid_from(0, s->g);
 
         for (int j = 0; j < s->size; j++)
-            sum = add_product(sum, s->m[i * s->size + j], s->mid[j], s->g);
+            sum = spectrum_add_product(sum, s->m[i * s->size + j], s->mid[j], s->g);
         sum = interval_sub(sum, grid_mul(s->l_mid[0], s->mid[i], s->g));
         if (!s->real)
             sum = interval_sub(sum, grid_mul(s->l_mid[1], turned(s, s->mid, i), s->g));
@@ -122,14 +110,14 @@ static interval compute_image(const struct krawczyk *s, int i, interval box)
     interval out = grid_from(0, s->g);
 
     for (int l = 0; l < size; l++)
-        out = add_product(out, y[l], s->f[l], s->g);
+        out = spectrum_add_product(out, y[l], s->f[l], s->g);
     out = interval_minus(out);
     for (int l = 0; l < size; l++) {
         struct mark mark = scratch_mark();
         interval sum = grid_from(0, s->g);
 
         for (int q = 0; q < size; q++)
-            sum = add_product(sum, y[q], s->slope[q * size + l], s->g);
+            sum = spectrum_add_product(sum, y[q], s->slope[q * size + l], s->g);
         sum = interval_sub(grid_from(i == l ? 1 : 0, s->g), sum);
         out = interval_add(out, grid_mul(sum, box, s->g));
         interval_keep(mark, &out, 1);
@@ -137,9 +125,10 @@ static interval compute_image(const struct krawczyk *s, int i, interval box)
     return out;
 }
 
-static void prove_inclusion(const struct krawczyk *s, const struct certificate *c)
+static void prove_inclusion(const struct krawczyk *s, integer radius, const char *file,
+                            int line, const char *name)
 {
-    interval box = interval_of(integer_negate(c->radius), c->radius);
+    interval box = interval_of(integer_negate(radius), radius);
 
     for (int i = 0; i < s->size; i++) {
         struct mark mark = scratch_mark();
@@ -147,15 +136,15 @@ static void prove_inclusion(const struct krawczyk *s, const struct certificate *
 
         if (integer_compare(image.lo, box.lo) <= 0 ||
             integer_compare(image.hi, box.hi) >= 0)
-            rejected(c->file, c->line_of.radius,
-                     "radius: the Krawczyk operator does not map the box into "
-                     "its interior (component %d)", i + 1);
+            rejected(file, line,
+                     "%s: the Krawczyk operator does not map the box into "
+                     "its interior (component %d)", name, i + 1);
         scratch_release(mark);
     }
 }
 
-/* ceil(1 / a) in units of 2^-g: 2^g / (a 2^-g). */
-static interval inverse_upper(integer a, int g)
+/* In units of 2^-g: 2^g / (a 2^-g). */
+interval spectrum_inverse_upper(integer a, int g)
 {
     return interval_thin(integer_divide_ceil(
         integer_shift_left(integer_from(1), 2L * g), a));
@@ -169,9 +158,9 @@ static interval prove_real_size(const struct krawczyk *s, const struct certifica
     if (c->reason == REASON_FREQUENCY && l.hi.sign < 0)
         l = interval_minus(l);
     if (l.lo.sign <= 0 || integer_compare(l.hi, grid_from(1, s->g).lo) >= 0)
-        rejected(c->file, c->line_of.eigenvalue,
+        rejected(c->file, c->pair.line_of.eigenvalue,
                  "eigenvalue: its interval is not inside (0,1)");
-    return inverse_upper(l.lo, s->g);
+    return spectrum_inverse_upper(l.lo, s->g);
 }
 
 /* |L|^2 */
@@ -185,11 +174,11 @@ static interval squared_modulus(const struct krawczyk *s)
 /* 0 < ell < |L|, q = |L|^2 */
 static void check_modulus(const struct krawczyk *s, const struct certificate *c, interval q)
 {
-    interval ell = interval_thin(c->modulus);
+    interval ell = interval_thin(c->pair.modulus);
 
     if (!interval_is_positive(ell) ||
         !interval_is_positive(interval_sub(q, grid_mul(ell, ell, s->g))))
-        rejected(c->file, c->line_of.modulus,
+        rejected(c->file, c->pair.line_of.modulus,
                  "modulus: it is not positive, or not proved to be smaller than |L|");
 }
 
@@ -199,9 +188,9 @@ static interval prove_complex_size(const struct krawczyk *s, const struct certif
 
     check_modulus(s, c, q);
     if (integer_compare(q.hi, grid_from(1, s->g).lo) >= 0)
-        rejected(c->file, c->line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
+        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
                  "smaller than 1");
-    return inverse_upper(c->modulus, s->g);
+    return spectrum_inverse_upper(c->pair.modulus, s->g);
 }
 
 /* |L| > 1: in the real form lo > 1 or hi < -1 */
@@ -213,48 +202,61 @@ static void prove_divergence(const struct krawczyk *s, const struct certificate 
     if (!s->real)
         check_modulus(s, c, squared_modulus(s));
     if (integer_compare(s->real ? l.lo : squared_modulus(s).lo, one) <= 0)
-        rejected(c->file, c->line_of.eigenvalue,
+        rejected(c->file, c->pair.line_of.eigenvalue,
                  "eigenvalue: |L| is not proved to be larger than 1");
+}
+
+struct krawczyk spectrum_prove_inclusion(const interval *matrix, int g,
+                                         const struct choices *choices, bool range,
+                                         const struct certificate *c)
+{
+    integer radius = range ? choices->range : choices->radius;
+    struct krawczyk s = { .g = g, .n = c->n, .size = c->size, .pivot = choices->pivot - 1,
+                          .real = c->real, .m = matrix };
+
+    if (radius.sign <= 0)
+        rejected(c->file, choices->line_of.radius, "radius: it is not positive");
+    if (choices->pivot < 1 || choices->pivot > s.n)
+        rejected(c->file, choices->line_of.pivot,
+                 "pivot: it is not the index of one of the %d unknowns", s.n);
+    read_choices(&s, choices, radius);
+    compute_residual(&s);
+    compute_slope(&s);
+    prove_inclusion(&s, radius, c->file,
+                    range ? choices->line_of.range : choices->line_of.radius,
+                    range ? "range" : "radius");
+    return s;
 }
 
 struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
                                           const struct certificate *c)
 {
-    struct krawczyk s = { .g = g, .n = c->n, .size = c->size, .pivot = c->pivot - 1,
-                          .real = c->real, .m = matrix };
-    struct eigenpair out;
+    struct krawczyk s = spectrum_prove_inclusion(matrix, g, &c->pair, false, c);
+    struct eigenpair out = { .s = grid_from(0, g) };
 
-    if (c->radius.sign <= 0)
-        rejected(c->file, c->line_of.radius, "radius: it is not positive");
-    if (c->pivot < 1 || c->pivot > s.n)
-        rejected(c->file, c->line_of.pivot,
-                 "pivot: it is not the index of one of the %d unknowns", s.n);
-    read_choices(&s, c);
-    compute_residual(&s);
-    compute_slope(&s);
-    prove_inclusion(&s, c);
-    out.s = grid_from(0, g);
     if (c->reason == REASON_NOT_C0)
         prove_divergence(&s, c);
     else
         out.s = s.real ? prove_real_size(&s, c) : prove_complex_size(&s, c);
-    out.unknowns = s.box;
-    out.real = s.l_box[0];
-    out.imaginary = s.real ? grid_from(0, g) : s.l_box[1];
+    out.unknowns = allocate((size_t)s.size, sizeof out.unknowns[0]);
+    for (int i = 0; i < s.size; i++)
+        out.unknowns[i] = affine_from(s.box[i]);
+    out.real = affine_from(s.l_box[0]);
+    out.imaginary = s.real ? affine_from_whole(0, g) : affine_from(s.l_box[1]);
     return out;
 }
 
 /* The rest
  * -------- */
 
-/* M' s, where M' is what is left of the block beside its known eigenvalue, if it has
- * one: 1, or L.  size: in that of M, out that of M'. */
+/* M': what is left of the block beside its known eigenvalue, if it has one: 1, or L.
+ * size: in that of M, out that of M'. */
 static interval *deflate(int *size, const interval *m, int g, const struct eigenpair *pair,
                          const struct block_record *record, const struct certificate *c)
 {
-    bool has_l = record->first == c->frequency, has_one = record->first == 0 && !has_l;
+    bool has_l = record->m.first == c->frequency, has_one = record->m.first == 0 && !has_l;
     bool complex = has_l && !c->real;
-    int full = *size, pivot = has_l ? c->pivot - 1 : 0;
+    int full = *size, pivot = has_l ? c->pair.pivot - 1 : 0;
     interval *out = allocate((size_t)full * (size_t)full, sizeof out[0]), *next = out;
 
     if (has_l || has_one)
@@ -270,15 +272,15 @@ static interval *deflate(int *size, const interval *m, int g, const struct eigen
             if (has_one)                           /* its eigenvector is 1, 1, 1 ... */
                 entry = interval_sub(entry, m[pivot * full + j]);
             if (has_l)
-                entry = interval_sub(entry, grid_mul(pair->unknowns[i],
+                entry = interval_sub(entry, grid_mul(pair->unknowns[i].c,
                                                      m[pivot * full + j], g));
             if (complex) {                         /* minus (J X)_i M_(p+n)j */
-                interval jx = i < c->n ? interval_minus(pair->unknowns[i + c->n])
-                                       : pair->unknowns[i - c->n];
+                interval jx = i < c->n ? interval_minus(pair->unknowns[i + c->n].c)
+                                       : pair->unknowns[i - c->n].c;
 
                 entry = interval_sub(entry, grid_mul(jx, m[(pivot + c->n) * full + j], g));
             }
-            *next++ = grid_mul(entry, pair->s, g);
+            *next++ = entry;
         }
     }
     return out;
@@ -301,7 +303,7 @@ static void square(interval *c, interval *result, int size, int g, struct mark m
             interval sum = grid_from(0, g);
 
             for (int l = 0; l < size; l++)
-                sum = add_product(sum, c[i * size + l], c[l * size + j], g);
+                sum = spectrum_add_product(sum, c[i * size + l], c[l * size + j], g);
             interval_keep(entry, &sum, 1);
             result[i * size + j] = sum;
         }
@@ -325,28 +327,37 @@ static bool has_small_rows(const interval *c, int size, int g)
     return true;
 }
 
-void spectrum_prove_rest(const interval *matrix, int size, int g,
-                         const struct eigenpair *pair,
-                         const struct block_record *record,
-                         const struct certificate *certificate)
+void spectrum_prove_small(interval *c, int size, int g, interval s,
+                          const struct block_record *record, const char *name,
+                          const char *file)
 {
-    const char *name = certificate->version == 0 ? "power" : "block";
-    interval *c, *work = allocate((size_t)size * (size_t)size, sizeof work[0]);
+    interval *work = allocate((size_t)size * (size_t)size, sizeof work[0]);
     struct mark mark;
 
-    c = deflate(&size, matrix, g, pair, record, certificate);
+    for (int i = 0; i < size * size; i++)
+        c[i] = grid_mul(c[i], s, g);
     mark = scratch_mark();
     for (int step = 0; ; step++) {
         if (has_large_entry(c, size, g))
-            rejected(certificate->file, record->line,
-                     "%s: an entry of block %lld reaches 2^64", name,
-                     (long long)record->first);
+            rejected(file, record->line, "%s: an entry of block %lld reaches 2^64", name,
+                     (long long)record->m.first);
         if (step == record->power)
             break;
         square(c, work, size, g, mark);
     }
     if (!has_small_rows(c, size, g))
-        rejected(certificate->file, record->line,
+        rejected(file, record->line,
                  "%s: the other eigenvalues of block %lld are not proved to be "
-                 "smaller than L", name, (long long)record->first);
+                 "smaller than L", name, (long long)record->m.first);
+}
+
+void spectrum_prove_rest(const interval *matrix, int size, int g,
+                         const struct eigenpair *pair,
+                         const struct block_record *record,
+                         const struct certificate *certificate)
+{
+    interval *c = deflate(&size, matrix, g, pair, record, certificate);
+
+    spectrum_prove_small(c, size, g, pair->s, record,
+                         certificate->version == 0 ? "power" : "block", certificate->file);
 }

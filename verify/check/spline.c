@@ -55,38 +55,47 @@ struct spline spline_derivative(const struct spline *s, int i)
     return out;
 }
 
+/* Polynomials of degree n are stored as n! times their coefficients, which is whole:
+ * each recursion divides by the degree, and nothing else is divided by. */
+static integer factorial(int n)
+{
+    return n < 2 ? integer_from(1) : integer_mul(integer_from(n), factorial(n - 1));
+}
+
+static void add_times(integer *sum, integer a, int factor)
+{
+    *sum = integer_add(*sum, integer_mul(a, integer_from(factor)));
+}
+
 /* Quads
  * ----- */
 
 /* out[i] += (coefficient of s^(n-i) t^i in) (p s + q t) f, f of degree n - 1. */
-static void add_linear(rational *out, const rational *f, int n, int p, int q)
+static void add_linear(integer *out, const integer *f, int n, int p, int q)
 {
     for (int i = 0; i < n; i++) {
-        out[i] = rational_add(out[i], rational_mul(f[i], rational_from(p, 1)));
-        out[i + 1] = rational_add(out[i + 1], rational_mul(f[i], rational_from(q, 1)));
+        add_times(&out[i], f[i], p);
+        add_times(&out[i + 1], f[i], q);
     }
 }
 
-/* b(degree,l) for l = 0..degree: degree + 1 coefficients each. */
-static rational *spline_pieces(int degree)
+/* degree! b(degree,l) for l = 0..degree: degree + 1 coefficients each. */
+static integer *spline_pieces(int degree)
 {
-    rational *old = NULL;
+    integer *old = NULL;
 
     for (int n = 0; n <= degree; n++) {
-        int count = (n + 1) * (n + 1);
-        rational *new = allocate((size_t)count, sizeof new[0]);
+        integer *new = allocate((size_t)(n + 1) * (size_t)(n + 1), sizeof new[0]);
 
-        for (int i = 0; i < count; i++)
-            new[i] = rational_from(n == 0 ? 1 : 0, 1);
+        if (n == 0)
+            new[0] = integer_from(1);
         for (int l = 0; n > 0 && l <= n; l++) {
-            rational *out = &new[l * (n + 1)];
+            integer *out = &new[l * (n + 1)];
 
             if (l < n)
                 add_linear(out, &old[l * n], n, l, l + 1);
             if (l > 0)
                 add_linear(out, &old[(l - 1) * n], n, n + 1 - l, n - l);
-            for (int i = 0; i <= n; i++)
-                out[i] = rational_divide(out[i], rational_from(n, 1));
         }
         old = new;
     }
@@ -96,14 +105,14 @@ static rational *spline_pieces(int degree)
 /* For y = low, low + 1 ... the coefficients of b(m - 1, -y - c). */
 static interval *along_axis(int m, int c, int low, int side, int g)
 {
-    rational *piece = spline_pieces(m - 1);
+    integer *piece = spline_pieces(m - 1), scale = factorial(m - 1);
     interval *out = allocate((size_t)side * (size_t)m, sizeof out[0]);
 
     for (int y = 0; y < side; y++) {
         int l = -(y + low) - c;
 
         for (int i = 0; l >= 0 && l < m && i < m; i++)
-            out[y * m + i] = grid_from_rational(piece[l * m + i], g);
+            out[y * m + i] = grid_from_fraction(piece[l * m + i], scale, g);
     }
     return out;
 }
@@ -115,10 +124,10 @@ static interval *along_axis(int m, int c, int low, int side, int g)
 
 enum { SIDE = MAX_TRIANGLE + 1 };
 
-/* P(m; T) for all T in the support of m, once they have been asked for. */
+/* degree! P(m; T) for all T in the support of m, once they have been asked for. */
 struct piece {
     bool known;
-    rational *polynomial;
+    integer *polynomial;
 };
 
 struct pieces {
@@ -126,16 +135,13 @@ struct pieces {
 };
 
 /* out += (p0 w0 + p1 w1 + p2 w2) f, f of degree n - 1 */
-static void add_product(rational *out, const rational *f, int n, const int p[3])
+static void add_product(integer *out, const integer *f, int n, const int p[3])
 {
     for (int i = 0; f != NULL && i < n; i++) {
         for (int j = 0; i + j < n; j++) {
-            rational here = f[i * n + j];
-            rational *to[3] = { &out[i * (n + 1) + j], &out[(i + 1) * (n + 1) + j],
-                                &out[i * (n + 1) + j + 1] };
-
-            for (int w = 0; w < 3; w++)
-                *to[w] = rational_add(*to[w], rational_mul(here, rational_from(p[w], 1)));
+            add_times(&out[i * (n + 1) + j], f[i * n + j], p[0]);
+            add_times(&out[(i + 1) * (n + 1) + j], f[i * n + j], p[1]);
+            add_times(&out[i * (n + 1) + j + 1], f[i * n + j], p[2]);
         }
     }
 }
@@ -164,16 +170,16 @@ static bool is_one(const int m[3], struct element t)
     return false;
 }
 
-static const rational *piece_at(struct pieces *p, const int m[3], struct element t);
+static const integer *piece_at(struct pieces *p, const int m[3], struct element t);
 
-static rational *make_piece(struct pieces *p, const int m[3], struct element t)
+static integer *make_piece(struct pieces *p, const int m[3], struct element t)
 {
     int degree = m[0] + m[1] + m[2] - 2;
     size_t count = (size_t)(degree + 1) * (size_t)(degree + 1);
-    rational *out = allocate(count, sizeof out[0]);
+    integer *out = allocate(count, sizeof out[0]);
 
-    for (size_t n = 0; n < count; n++)
-        out[n] = rational_from(degree == 0 && is_one(m, t) ? 1 : 0, 1);
+    if (degree == 0 && is_one(m, t))
+        out[0] = integer_from(1);
     for (int i = 0; degree > 0 && i < 3; i++) {
         int less[3] = { m[0], m[1], m[2] }, l[3], rest[3];
         struct element moved = { t.kind, t.a - direction[i].a, t.b - direction[i].b };
@@ -190,13 +196,11 @@ static rational *make_piece(struct pieces *p, const int m[3], struct element t)
         add_product(out, piece_at(p, less, t), degree, l);
         add_product(out, piece_at(p, less, moved), degree, rest);
     }
-    for (size_t n = 0; degree > 0 && n < count; n++)
-        out[n] = rational_divide(out[n], rational_from(degree, 1));
     return out;
 }
 
 /* T lies outside of the support, 0 <= a <= m1 + m3, -m3 <= b <= m2: NULL. */
-static const rational *piece_at(struct pieces *p, const int m[3], struct element t)
+static const integer *piece_at(struct pieces *p, const int m[3], struct element t)
 {
     int side_a = m[0] + m[2], side_b = m[1] + m[2], b = t.b + m[2];
     struct piece **table = &p->of[m[0]][m[1]][m[2]], *here;
@@ -218,14 +222,15 @@ static interval *triangle_polynomials(const struct spline *s, enum element_kind 
     struct pieces *pieces = allocate(1, sizeof *pieces);
     int count = (degree + 1) * (degree + 1);
     interval *out = allocate((size_t)window->count * (size_t)count, sizeof out[0]);
+    integer scale = factorial(degree);
 
     for (int n = 0; n < window->count; n++) {
         struct element t = { kind == ELEMENT_E ? ELEMENT_U : kind,
                              -window->label[n].a - s->c.a, -window->label[n].b - s->c.b };
-        const rational *p = piece_at(pieces, s->m, t);
+        const integer *p = piece_at(pieces, s->m, t);
 
         for (int i = 0; p != NULL && i < count; i++)
-            out[n * count + i] = grid_from_rational(p[i], g);
+            out[n * count + i] = grid_from_fraction(p[i], scale, g);
     }
     return out;
 }
@@ -267,8 +272,8 @@ bool basis_has(const struct basis *b, enum element_kind kind, int i, int j)
 
 static void add_multiple(struct pair *sum, interval weight, struct pair v, int g)
 {
-    sum->x = interval_add(sum->x, grid_mul(weight, v.x, g));
-    sum->y = interval_add(sum->y, grid_mul(weight, v.y, g));
+    affine_add_multiple(&sum->x, weight, &v.x, g);
+    affine_add_multiple(&sum->y, weight, &v.y, g);
 }
 
 /* First along y1 for each y2, then along y2. */

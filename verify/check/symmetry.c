@@ -19,15 +19,17 @@ static const struct node *written_out(const struct node *f, const struct languag
     return f;
 }
 
-/* The exact value of a formula, if it is rational and depends on nothing. */
+/* The exact value of a formula, if it is rational and depends on nothing.  Conditions, which
+ * stand in `cases` and behind `when`, have none. */
 static bool is_constant(rational *out, const struct node *f, const struct language *l)
 {
     struct environment e;
     struct value v;
 
-    if (f->meaning != 0)
+    if (f->meaning != 0 || f->kind == NODE_AND || f->kind == NODE_OR ||
+        f->kind == NODE_COMPARISON)
         return false;
-    e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
+    e = environment_plain(l, CONSTANT_GRID);
     v = evaluate(f, &e);
     *out = v.q;
     return v.kind == RATIONAL;
@@ -75,7 +77,7 @@ static bool is_monomial(const struct node *f, char join, struct value *constant,
         return true;
     }
     if (f->meaning == 0) {
-        struct environment e = environment_make(l, -1, -1, -1, -1, CONSTANT_GRID);
+        struct environment e = environment_plain(l, CONSTANT_GRID);
         struct value v = evaluate(f, &e);
 
         value_apply(constant, join, &v, f, CONSTANT_GRID);

@@ -1,4 +1,4 @@
-/* A scheme at one valence: which rules hold, and their weights. */
+/* A scheme at one valence or several: which rules hold, and their weights. */
 
 #include "valence.h"
 
@@ -27,10 +27,10 @@ static struct value weigh_each(interval *out, const struct node *formula,
 {
     struct value sum = value_from(rational_from(0, 1));
 
-    for (int64_t j = 0; j < v->k; j++) {
+    for (int64_t j = 0; j < v->k.first; j++) {
         struct mark mark = scratch_mark();
         struct environment e =
-            environment_make(&v->scheme->language, v->k, -1, -1, j, v->g);
+            environment_make(&v->scheme->language, v->k, NOTHING, span_of(j), v->g);
         struct value w = evaluate(formula, &e);
 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
@@ -56,8 +56,8 @@ static void weigh(struct active_rule *out, const struct valence *v)
 {
     const struct rule *rule = out->rule;
     const struct language *l = &v->scheme->language;
-    struct environment plain = environment_make(l, v->k, -1, -1, -1, v->g);
-    struct environment zero = environment_make(l, v->k, 0, 0, -1, v->g);
+    struct environment plain = environment_make(l, v->k, NOTHING, NOTHING, v->g);
+    struct environment zero = environment_make(l, v->k, span_of(0), NOTHING, v->g);
     struct value sum = value_from(rational_from(0, 1));
     struct value rest = value_from(rational_from(1, 1));
 
@@ -70,9 +70,12 @@ static void weigh(struct active_rule *out, const struct valence *v)
         if (i == rule->rest)
             continue;
         if (w->source->kind == SOURCE_EACH) {
-            if (v->k > MAX_VALENCE_OF_EACH)
+            if (span_is_several(v->k))
+                rejected(v->reference.file, v->reference.line,
+                         "a weight for each sector is for single valences only");
+            if (v->k.first > MAX_VALENCE_OF_EACH)
                 cannot_check("a weight for each sector is given up to valence 100000 only");
-            w->each = allocate((size_t)v->k, sizeof w->each[0]);
+            w->each = allocate((size_t)v->k.first, sizeof w->each[0]);
             value = weigh_each(w->each, w->source->weight, v);
         } else {
             value = evaluate(w->source->weight,
@@ -86,20 +89,40 @@ static void weigh(struct active_rule *out, const struct valence *v)
     out->weighted[rule->rest].weight = value_enclose(rest, v->g);
 }
 
+/* Of several valences it must be the same for all. */
+static bool rule_holds(const struct rule *rule, const struct environment *e,
+                       const struct valence *v)
+{
+    enum truth truth;
+
+    if (rule->condition == NULL)
+        return true;
+    if (!span_is_several(v->k))
+        return condition_holds(rule->condition, e);
+    truth = condition_truth(rule->condition, e);
+    if (truth == UNKNOWN)
+        rejected(v->reference.file, v->reference.line, "the condition in line %d, column %d "
+                 "of the scheme is not proved to hold at all the valences or at none",
+                 rule->condition->line, rule->condition->column);
+    return truth == YES;
+}
+
 static void prepare_step(struct active_step *out, const struct step *step,
                          const struct valence *v)
 {
-    struct environment e = environment_make(&v->scheme->language, v->k, -1, -1, -1, v->g);
+    struct environment e =
+        environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
 
     out->step = step;
     out->stencil = stencil_make(&step->mask, step->dilation, v->g);
     out->rule = allocate((size_t)step->rules, sizeof out->rule[0]);
     for (int i = 0; i < step->rules; i++) {
         const struct rule *rule = &step->rule[i];
+        bool late = valence_rule(out, rule->centre, rule->a, rule->b) != NULL;
 
-        if (valence_rule(out, rule->centre, rule->a, rule->b) != NULL)
+        if (late && !span_is_several(v->k))
             continue;                              /* the first one counts */
-        if (rule->condition != NULL && !condition_holds(rule->condition, &e))
+        if (!rule_holds(rule, &e, v) || late)
             continue;
         out->rule[out->rules].rule = rule;
         weigh(&out->rule[out->rules], v);
@@ -118,28 +141,56 @@ static void prepare_angles(struct valence *v)
                 wanted = wanted || v->step[i].rule[n].weighted[s].each != NULL;
     if (!wanted)
         return;
-    v->cosine = allocate((size_t)v->k, sizeof v->cosine[0]);
-    v->sine = allocate((size_t)v->k, sizeof v->sine[0]);
-    for (int64_t n = 0; n < v->k; n++) {
-        v->cosine[n] = grid_cos_pi(rational_from(2 * n, v->k), v->g);
-        v->sine[n] = grid_sin_pi(rational_from(2 * n, v->k), v->g);
+    v->cosine = allocate((size_t)v->k.first, sizeof v->cosine[0]);
+    v->sine = allocate((size_t)v->k.first, sizeof v->sine[0]);
+    for (int64_t n = 0; n < v->k.first; n++) {
+        v->cosine[n] = grid_cos_pi(rational_from(2 * n, v->k.first), v->g);
+        v->sine[n] = grid_sin_pi(rational_from(2 * n, v->k.first), v->g);
     }
 }
 
+bool valence_is_regular(const struct valence *v)
+{
+    return !span_is_several(v->k) && v->k.first == (v->scheme->mesh == TRIANGLE ? 6 : 4);
+}
+
 void valence_prepare(struct valence *out, const struct scheme *scheme,
-                     struct reference reference, int64_t k, int g)
+                     struct reference reference, struct span k, int g)
 {
     memset(out, 0, sizeof *out);
     out->scheme = scheme;
     out->reference = reference;
     out->k = k;
     out->g = g;
-    out->plainly_regular = k == (scheme->mesh == TRIANGLE ? 6 : 4);
+    out->plainly_regular = valence_is_regular(out);
     for (int i = 0; i < scheme->steps; i++) {
         prepare_step(&out->step[i], &scheme->step[i], out);
         out->plainly_regular = out->plainly_regular && out->step[i].rules == 0;
     }
     prepare_angles(out);
+}
+
+static bool names(const struct node *formula, int meaning)
+{
+    return formula != NULL && (formula->meaning & meaning) != 0;
+}
+
+static bool rule_is_uniform(const struct rule *rule)
+{
+    for (int s = 0; s < rule->count; s++)
+        if (names(rule->source[s].weight, MEANS_K | MEANS_M) ||
+            names(rule->source[s].imaginary, MEANS_K | MEANS_M))
+            return rule->centre;
+    return true;
+}
+
+bool valence_is_uniform(const struct valence *v)
+{
+    for (int i = 0; i < v->scheme->steps; i++)
+        for (int n = 0; n < v->step[i].rules; n++)
+            if (!rule_is_uniform(v->step[i].rule[n].rule))
+                return false;
+    return true;
 }
 
 static bool has_value(const struct node *formula, const struct environment *e)
@@ -154,7 +205,8 @@ static bool has_value(const struct node *formula, const struct environment *e)
 bool valence_has_values(const struct valence *v, int64_t m)
 {
     struct mark mark = scratch_mark();
-    struct environment e = environment_make(&v->scheme->language, v->k, m, m, -1, v->g);
+    struct environment e =
+        environment_make(&v->scheme->language, v->k, span_of(m), NOTHING, v->g);
     bool out = true;
 
     for (int i = 0; i < v->scheme->steps; i++) {

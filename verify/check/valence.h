@@ -1,10 +1,11 @@
 #ifndef CHECK_VALENCE_H
 #define CHECK_VALENCE_H
 
-/* A scheme at one valence
- * =======================
+/* A scheme at one valence, or at several
+ * ======================================
  *
- * The rules that hold there, and their weights on the grid.
+ * The rules that hold there, and their weights on the grid: intervals that contain those
+ * at each of the valences.
  */
 
 #include "scheme.h"
@@ -36,15 +37,22 @@ struct active_step {
 struct valence {
     const struct scheme *scheme;
     struct reference reference;
-    int64_t k;
+    struct span k;
     int g;
     struct active_step step[MAX_STEPS];
     bool plainly_regular;                          /* section 3 */
     interval *cosine, *sine;                       /* of 2 pi n/k, n < k; or NULL */
 };
 
+/* Of several valences, a rule that holds at some of them only, or is not decided: rejected. */
 void valence_prepare(struct valence *out, const struct scheme *scheme,
-                     struct reference reference, int64_t k, int g);
+                     struct reference reference, struct span k, int g);
+
+/* Does no weight, but of rules for the centre, depend on k or m? */
+bool valence_is_uniform(const struct valence *v);
+
+/* One valence, that of the plane: 6 on triangles, 4 on quads? */
+bool valence_is_regular(const struct valence *v);
 
 /* The rule for (a,b), or the centre, that holds; or NULL. */
 const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a,

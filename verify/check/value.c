@@ -9,7 +9,25 @@
 enum { MAX_EXPONENT = 16384,                       /* of bases that are not exact */
        MAX_RANGE_BITS = 4096 };                    /* of powers in ranges of m */
 
-static const char SEVERAL[] = "no rule for several frequencies at once";
+static const char SEVERAL[] = "no rule for several frequencies or valences at once";
+static const char UNBOUNDED[] = "it is not bounded over all valences";
+
+/* Infinite ends of ranges: den = 0. */
+static rational infinite_end(int sign)
+{
+    return (rational) { integer_from(sign), integer_from(0) };
+}
+
+static bool is_infinite(rational end)
+{
+    return end.den.sign == 0;
+}
+
+static bool is_unbounded(const struct value *v)
+{
+    return v->kind != ENCLOSURE && v->kind != UNDEFINED && v->range &&
+           (is_infinite(v->q) || is_infinite(v->q_last));
+}
 
 static struct value undefined(const struct node *at, const char *fault, bool open)
 {
@@ -45,17 +63,19 @@ void value_constant(struct value *out, const struct node *f)
     *out = f->kind == NODE_PI ? angle(rational_from(1, 1)) : value_from(f->number);
 }
 
-void value_variable(struct value *out, int64_t first, int64_t last,
+void value_variable(struct value *out, struct span span, bool divides,
                     const struct node *at)
 {
-    if (first < 0) {
+    if (span.first < 0) {
         *out = undefined(at, "k, m or j has no meaning here", false);
         return;
     }
-    *out = value_from(rational_from(first, 1));
-    out->affine = first < last;
-    out->q_last = rational_from(last, 1);
-    out->steps = last - first;
+    *out = value_from(rational_from(span.first, 1));
+    if (!span_is_several(span))
+        return;
+    out->range = out->whole = true;
+    out->divides = divides;
+    out->q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
 }
 
 void value_undefine(struct value *out, const struct node *at, const char *fault,
@@ -77,10 +97,10 @@ interval value_enclose(struct value v, int g)
 
     if (v.kind == ENCLOSURE)
         return v.x;
-    if (v.kind == UNDEFINED)
+    if (v.kind == UNDEFINED || is_unbounded(&v))
         cannot_check("the checker uses a value that is none");
     out = enclose_exact(v.q, v.kind == ANGLE, g);
-    return v.affine ? interval_hull(out, enclose_exact(v.q_last, v.kind == ANGLE, g)) : out;
+    return v.range ? interval_hull(out, enclose_exact(v.q_last, v.kind == ANGLE, g)) : out;
 }
 
 void value_keep(struct mark mark, struct value *v)
@@ -92,7 +112,7 @@ void value_keep(struct mark mark, struct value *v)
     } else if (v->kind == UNDEFINED) {
         scratch_release(mark);
     } else {
-        integer_keep(mark, part, v->affine ? 4 : 2);
+        integer_keep(mark, part, v->range ? 4 : 2);
         v->q = (rational) { part[0], part[1] };
         v->q_last = (rational) { part[2], part[3] };
     }
@@ -101,6 +121,9 @@ void value_keep(struct mark mark, struct value *v)
 void value_require(struct value v, const struct language *l, const char *certificate,
                    int line)
 {
+    if (is_unbounded(&v))
+        rejected(certificate, line, "a formula of the scheme is not bounded over all "
+                 "valences");
     if (v.kind != UNDEFINED)
         return;
     if (v.open && certificate != NULL)
@@ -115,8 +138,12 @@ void value_require(struct value v, const struct language *l, const char *certifi
 static struct value with_enclosures(struct value a, char operation, struct value b,
                                     const struct node *at, int g)
 {
-    interval x = value_enclose(a, g), y = value_enclose(b, g);
+    interval x, y;
 
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return undefined(at, UNBOUNDED, true);
+    x = value_enclose(a, g);
+    y = value_enclose(b, g);
     if (operation == '+')
         return value_enclosure(interval_add(x, y));
     if (operation == '-')
@@ -135,37 +162,117 @@ static rational apply_exactly(rational a, char operation, rational b)
          : operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
 }
 
+/* Ranges
+ * ------
+ *
+ * Sums of ends, low ones of low ones (never oo) and high ones of high ones (never -oo);
+ * products and quotients, 0 * oo = 0 and a / oo = 0 for finite a. */
+
+static rational add_ends(rational a, rational b)
+{
+    return is_infinite(a) ? a : is_infinite(b) ? b : rational_add(a, b);
+}
+
+static rational multiply_ends(rational a, rational b)
+{
+    if (a.num.sign == 0 || b.num.sign == 0)
+        return rational_from(0, 1);
+    if (is_infinite(a) || is_infinite(b))
+        return infinite_end(a.num.sign * b.num.sign);
+    return rational_mul(a, b);
+}
+
+static rational divide_ends(rational a, rational b)
+{
+    if (is_infinite(b))
+        return rational_from(0, 1);
+    if (is_infinite(a))
+        return infinite_end(a.num.sign * b.num.sign);
+    return rational_divide(a, b);
+}
+
+/* Not of two equal infinite ones. */
+static int compare_ends(rational a, rational b)
+{
+    int x = is_infinite(a) ? a.num.sign : 0, y = is_infinite(b) ? b.num.sign : 0;
+
+    if (x == 0 && y == 0)
+        return rational_compare(a, b);
+    return (x > y) - (x < y);
+}
+
+static rational last_of(const struct value *v)
+{
+    return v->range ? v->q_last : v->q;
+}
+
+/* May it be divided by, and has it one sign? */
+static bool is_signed_range(const struct value *v)
+{
+    return v->divides && v->q.num.sign * v->q_last.num.sign > 0;
+}
+
+static bool is_whole(const struct value *v)
+{
+    return v->range ? v->whole : rational_is_whole(v->q);
+}
+
+static struct value apply_to_ranges(struct value a, char operation, struct value b,
+                                    enum value_kind kind, const struct node *at)
+{
+    struct value out = { .kind = kind, .range = true, .divides = a.divides || b.divides };
+
+    if (operation == '/' && is_unbounded(&a) && is_unbounded(&b))
+        return undefined(at, UNBOUNDED, true);
+    out.whole = operation != '/' && is_whole(&a) && is_whole(&b);
+    if (operation == '-')
+        value_negate(&b);
+    if (operation == '+' || operation == '-') {
+        out.q = add_ends(a.q, b.q);
+        out.q_last = add_ends(last_of(&a), last_of(&b));
+        return out;
+    }
+    for (int i = 0; i < 4; i++) {
+        rational x = i % 2 == 0 ? a.q : last_of(&a), y = i < 2 ? b.q : last_of(&b);
+        rational end = operation == '*' ? multiply_ends(x, y) : divide_ends(x, y);
+
+        if (i == 0 || compare_ends(end, out.q) < 0)
+            out.q = end;
+        if (i == 0 || compare_ends(end, out.q_last) > 0)
+            out.q_last = end;
+    }
+    return out;
+}
+
 static struct value apply(struct value a, char operation, struct value b,
                           const struct node *at, int g)
 {
     bool sum = operation == '+' || operation == '-';
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
     int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
+    enum value_kind kind;
     struct value out;
 
     if (a.kind == UNDEFINED)
         return a;
     if (b.kind == UNDEFINED)
         return b;
-    if (operation == '/' && b.kind == RATIONAL && !b.affine && b.q.num.sign == 0)
+    if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
         return undefined(at, "division by zero", false);
 
     /* Exact: rational with rational; angle +- angle; angle times or divided
-     * by a rational; angle / angle.  What is affine must stay so. */
+     * by a rational; angle / angle.  In ranges a factor varies at most. */
     if (!both_exact || (sum && angles == 1) || (operation == '*' && angles == 2) ||
         (operation == '/' && angles == 1 && b.kind == ANGLE) ||
-        (operation == '*' && a.affine && b.affine) || (operation == '/' && b.affine))
+        (operation == '*' && a.range && b.range) ||
+        (operation == '/' && b.range && !is_signed_range(&b)))
         return with_enclosures(a, operation, b, at, g);
+    kind = angles == 0 || (operation == '/' && angles == 2) ? RATIONAL : ANGLE;
+    if (a.range || b.range)
+        return apply_to_ranges(a, operation, b, kind, at);
     out = angle(apply_exactly(a.q, operation, b.q));
-    if (angles == 0 || (operation == '/' && angles == 2))
+    if (kind == RATIONAL)
         out.kind = RATIONAL;
-    if (a.affine || b.affine) {
-        out.kind = angles == 0 || (operation == '/' && angles == 2) ? RATIONAL : ANGLE;
-        out.affine = true;
-        out.q_last = apply_exactly(a.affine ? a.q_last : a.q, operation,
-                                   b.affine ? b.q_last : b.q);
-        out.steps = a.affine ? a.steps : b.steps;
-    }
     return out;
 }
 
@@ -181,8 +288,12 @@ void value_negate(struct value *v)
         v->x = interval_minus(v->x);
     else if (v->kind != UNDEFINED)
         v->q = rational_negate(v->q);
-    if (v->affine)
-        v->q_last = rational_negate(v->q_last);
+    if (v->kind != ENCLOSURE && v->kind != UNDEFINED && v->range) {
+        rational low = rational_negate(v->q_last);
+
+        v->q_last = v->q;
+        v->q = low;
+    }
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -218,37 +329,34 @@ static interval whole_power(rational x, int64_t n, int g)
     return grid_from_rational(n < 0 ? rational_divide(rational_from(1, 1), out) : out, g);
 }
 
-/* base ^ exponent, the exponent being affine in m. */
+/* An end of a range of whole exponents; false if it is finite and huge. */
+static bool get_exponent(int64_t *out, rational end)
+{
+    const int64_t huge = INT64_C(1) << 60;
+
+    *out = huge * end.num.sign;
+    return is_infinite(end) || integer_get_small(out, end.num, huge);
+}
+
+/* base ^ exponent, the exponent being a range. */
 static struct value power_of_range(struct value base, struct value exponent,
                                    const struct node *at, int g)
 {
-    rational one = rational_from(1, 1), slope;
+    rational one = rational_from(1, 1);
     int64_t low, high, most;
 
-    if (base.kind != RATIONAL || base.affine || base.q.num.sign <= 0 ||
-        exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
-        return undefined(at, SEVERAL, true);
-    slope = rational_divide(rational_sub(exponent.q_last, exponent.q),
-                            rational_from(exponent.steps, 1));
-    if (!rational_is_whole(slope))                 /* some are not whole */
+    if (base.kind != RATIONAL || base.range || base.q.num.sign <= 0 ||
+        exponent.kind != RATIONAL || !exponent.whole)
         return undefined(at, SEVERAL, true);
     if (rational_equals(base.q, 1, 1))
         return value_from(one);
     if (rational_compare(base.q, one) < 0) {
         base.q = rational_divide(one, base.q);
-        exponent.q = rational_negate(exponent.q);
-        exponent.q_last = rational_negate(exponent.q_last);
+        value_negate(&exponent);
     }
     most = MAX_RANGE_BITS / (integer_bits(base.q.num) + integer_bits(base.q.den));
-    if (!integer_get_small(&low, exponent.q.num, INT64_C(1) << 60) ||
-        !integer_get_small(&high, exponent.q_last.num, INT64_C(1) << 60))
+    if (!get_exponent(&low, exponent.q) || !get_exponent(&high, exponent.q_last))
         return undefined(at, SEVERAL, true);
-    if (low > high) {
-        int64_t swap = low;
-
-        low = high;
-        high = swap;
-    }
     if (most == 0 || high > most)
         return undefined(at, SEVERAL, true);
     return value_enclosure(interval_hull(low < -most ? grid_from(0, g)
@@ -275,7 +383,7 @@ static struct value power(struct value base, struct value exponent, bool minus,
         return base.kind == UNDEFINED ? base : exponent;
     if (minus)
         value_negate(&exponent);
-    if (exponent.affine)
+    if (exponent.range)
         return power_of_range(base, exponent, at, g);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
         return undefined(at, "the exponent is not a whole number", false);
@@ -283,15 +391,17 @@ static struct value power(struct value base, struct value exponent, bool minus,
         return one;
     minus = exponent.q.num.sign < 0;
     exponent.q.num = integer_absolute(exponent.q.num);
-    if (base.kind == RATIONAL && !base.affine && is_too_long(base.q, exponent.q.num)) {
+    if (base.kind == RATIONAL && !base.range && is_too_long(base.q, exponent.q.num)) {
         return undefined(at, "it is too long", true);
-    } else if (base.kind == RATIONAL && !base.affine) {
+    } else if (base.kind == RATIONAL && !base.range) {
         out = value_from(rational_power(base.q, exponent.q.num));
     } else {
         if (!integer_get_small(&n, exponent.q.num, MAX_EXPONENT))
             cannot_check("an exponent of more than %d occurs", MAX_EXPONENT);
         if (base.kind == ANGLE && n == 1 && !minus)
             return base;
+        if (is_unbounded(&base))
+            return undefined(at, UNBOUNDED, true);
         base = out = value_enclosure(value_enclose(base, g));
         for (int64_t i = 1; i < n; i++)
             out = apply(out, '*', base, at, g);
@@ -299,12 +409,14 @@ static struct value power(struct value base, struct value exponent, bool minus,
     return minus ? apply(one, '/', out, at, g) : out;
 }
 
-void value_hull(struct value *a, const struct value *b, int g)
+void value_hull(struct value *a, const struct value *b, const struct node *at, int g)
 {
     if (a->kind == UNDEFINED)
         return;
     if (b->kind == UNDEFINED)
         *a = *b;
+    else if (is_unbounded(a) || is_unbounded(b))
+        *a = undefined(at, UNBOUNDED, true);
     else
         *a = value_enclosure(interval_hull(value_enclose(*a, g), value_enclose(*b, g)));
 }
@@ -349,13 +461,11 @@ static enum truth compare(struct value a, char join, struct value b, int g)
 
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
-    if (a.kind == b.kind && a.kind != ENCLOSURE) {
-        int first = rational_compare(b.q, a.q);
-        int last = rational_compare(b.affine ? b.q_last : b.q, a.affine ? a.q_last : a.q);
-
-        return holds_for_signs(join, first < last ? first : last,
-                               first < last ? last : first);
-    }
+    if (a.kind == b.kind && a.kind != ENCLOSURE)
+        return holds_for_signs(join, compare_ends(b.q, last_of(&a)),
+                               compare_ends(last_of(&b), a.q));
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
     return holds_for_signs(join, difference.lo.sign, difference.hi.sign);
 }
@@ -404,14 +514,16 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
     bool sine = at->kind == NODE_SIN;
     rational half = rational_from(1, 2), exact;
 
-    if (v.kind == RATIONAL && v.affine && v.q.num.sign == 0 && v.q_last.num.sign == 0)
-        v.affine = false;
-    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.affine || v.q.num.sign != 0)))
+    if (v.kind == RATIONAL && v.range && v.q.num.sign == 0 && v.q_last.num.sign == 0)
+        v.range = false;
+    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.range || v.q.num.sign != 0)))
         return undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
-    if (v.affine && sine)
+    if (is_unbounded(&v))
+        return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
+    if (v.range && sine)
         return value_enclosure(cos_of_range(rational_sub(half, v.q),
                                       rational_sub(half, v.q_last), g));
-    if (v.affine)
+    if (v.range)
         return value_enclosure(cos_of_range(v.q, v.q_last, g));
     if (sine ? rational_sin_pi(&exact, v.q) : rational_cos_pi(&exact, v.q))
         return value_from(exact);
@@ -422,7 +534,7 @@ static struct value square_root(struct value v, const struct node *at, int g)
 {
     interval x;
 
-    if (v.kind == RATIONAL && !v.affine && v.q.num.sign >= 0) {
+    if (v.kind == RATIONAL && !v.range && v.q.num.sign >= 0) {
         rational root = { integer_root(v.q.num), integer_root(v.q.den) };
 
         if (rational_compare(rational_mul(root, root), v.q) == 0)
@@ -431,13 +543,13 @@ static struct value square_root(struct value v, const struct node *at, int g)
     x = value_enclose(v, g);
     if (x.lo.sign < 0)
         return undefined(at, "the square root of something that is or may be negative",
-                         (v.kind == ENCLOSURE || v.affine) && x.hi.sign >= 0);
+                         (v.kind == ENCLOSURE || v.range) && x.hi.sign >= 0);
     return value_enclosure(grid_root(x, g));
 }
 
 static struct value absolute(struct value v, int g)
 {
-    if (v.affine)
+    if (v.range)
         v = value_enclosure(value_enclose(v, g));
     if (v.kind == ENCLOSURE)
         v.x = interval_abs(v.x);
@@ -450,7 +562,7 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 {
     interval x, y;
 
-    if (a.kind == b.kind && a.kind != ENCLOSURE && !a.affine && !b.affine)
+    if (a.kind == b.kind && a.kind != ENCLOSURE && !a.range && !b.range)
         return (rational_compare(a.q, b.q) <= 0) == least ? a : b;
     x = value_enclose(a, g);
     y = value_enclose(b, g);
@@ -460,7 +572,7 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 /* x - y floor(x / y) */
 static struct value modulo(struct value a, struct value b, const struct node *at)
 {
-    if (a.affine || b.affine)
+    if (a.range || b.range)
         return undefined(at, SEVERAL, true);
     if (a.kind != RATIONAL || b.kind != RATIONAL || !rational_is_whole(a.q) ||
         !rational_is_whole(b.q))
@@ -479,6 +591,8 @@ void value_function(struct value *out, const struct value *b, const struct node 
         *out = *b;
     else if (f->kind == NODE_COS || f->kind == NODE_SIN)
         *out = cos_or_sin(*out, f, g);
+    else if (is_unbounded(out) || (b != NULL && is_unbounded(b)))
+        *out = undefined(f, UNBOUNDED, true);
     else if (f->kind == NODE_SQRT)
         *out = square_root(*out, f, g);
     else if (f->kind == NODE_ABS)

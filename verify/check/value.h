@@ -5,21 +5,22 @@
  * ==================
  *
  * lib/scheme.md, "Value of a formula": an exact rational q, an angle q pi (q not
- * 0), or an enclosure.  The variable m may stand for several frequencies at once
- * ("Ranges of m"): then exact values may be affine in m, from q at the first to q_last
- * at the last one (or these times pi).  A formula that has no value is undefined, which
- * is an error only if the value is asked for.
+ * 0), or an enclosure.  The variables m and k may stand for several frequencies or
+ * valences at once ("Ranges of k and m"): then exact values are ranges from q to q_last
+ * (or these times pi); infinite ends have den = 0, num = -1 or 1.  A formula that has no
+ * value is undefined, which is an error only if the value is asked for.
  */
 
 #include "formula.h"
 #include "grid.h"
+#include "span.h"
 
 struct value {
-    enum { RATIONAL, ANGLE, ENCLOSURE, UNDEFINED } kind;
-    bool affine;                                   /* RATIONAL, ANGLE: depends on m */
-    rational q, q_last;                            /* (q_last: if affine) */
+    enum value_kind { RATIONAL, ANGLE, ENCLOSURE, UNDEFINED } kind;
+    bool range;                                    /* RATIONAL, ANGLE: it varies */
+    bool whole, divides;                           /* range: of whole ones? a divisor? */
+    rational q, q_last;                            /* (q_last: range) */
     interval x;                                    /* ENCLOSURE */
-    int64_t steps;                                 /* affine: last - first */
     const struct node *at;                         /* UNDEFINED: where and why, */
     const char *fault;
     bool open;                                     /* and could a finer grid help? */
@@ -28,21 +29,22 @@ struct value {
 struct value value_from(rational q);
 struct value value_enclosure(interval x);
 
-/* A number or pi; k, j or m = first..last, if first is not negative; nothing. */
+/* A number or pi; k, j or m in a span.  Ranges are divided by only where k varies. */
 void value_constant(struct value *out, const struct node *f);
-void value_variable(struct value *out, int64_t first, int64_t last,
+void value_variable(struct value *out, struct span span, bool divides,
                     const struct node *at);
 void value_undefine(struct value *out, const struct node *at, const char *fault,
                     bool open);
 
-/* The enclosure that a value is turned into. */
+/* The enclosure that a value is turned into; an unbounded one has none. */
 interval value_enclose(struct value v, int g);
 
 /* Gives back the memory since the mark, but for the value. */
 void value_keep(struct mark mark, struct value *v);
 
 /* An undefined value ends the program: where it is open with "rejected" at that
- * line of the certificate (NULL: with "cannot check"), else with "cannot check". */
+ * line of the certificate (NULL: with "cannot check"), else with "cannot check".  An
+ * unbounded one is rejected. */
 void value_require(struct value v, const struct language *l, const char *certificate,
                    int line);
 
@@ -64,7 +66,7 @@ void value_power(struct value *base, const struct value *exponent, bool minus,
 void value_function(struct value *v, const struct value *b, const struct node *f, int g);
 
 /* a := the hull of both */
-void value_hull(struct value *a, const struct value *b, int g);
+void value_hull(struct value *a, const struct value *b, const struct node *at, int g);
 
 enum truth { NO, YES, UNKNOWN };
 

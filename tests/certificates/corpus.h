@@ -1,0 +1,46 @@
+/* corpus.h: the good certificates of accept/ and accept-1/, and the checker as a program. */
+#ifndef TESTS_CERTIFICATES_CORPUS_H
+#define TESTS_CERTIFICATES_CORPUS_H
+
+#include "mutations.h"
+
+enum { MAX_BASES = 100, MAX_SETTINGS = 4, SECONDS_PER_CHECK = 30 };
+
+/* A good certificate with its claim. */
+typedef struct {
+    char name[64], scheme_file[512];
+    long valence;
+    bool not_c1;
+    char *setting[MAX_SETTINGS]; /* "name=value" */
+    int settings;
+    lines body;     /* without count and hash */
+    char *whole;
+} base;
+
+typedef struct {
+    base base[MAX_BASES];
+    int count;
+} corpus;
+
+/* Reads what the tables in `folder` of tests/certificates/ list; test_fail if that cannot be done. */
+void corpus_read(corpus *z, const char *folder, const char *table, bool not_c1);
+/* The certificate of this name, NULL if there is none. */
+const base *corpus_find(const corpus *z, const char *name);
+
+/* The whole file as a string (to be freed), NULL if it cannot be read. */
+char *read_text(const char *path);
+void write_file(const char *path, const char *bytes, size_t length);
+/* Appends the right count of lines and the right hash. */
+void seal(buffer *z);
+
+/* What the checker answers; status < 0: it died of a signal, or took too long. */
+typedef struct {
+    int status;
+    char out[512], err[512];
+} answer;
+
+/* Asks SMOOTHCERT_CHECK about the file `certificate` with the claim of b, but for the valence, and for the scheme of the
+   file `scheme` if that is not NULL. */
+void ask_checker(answer *z, const base *b, const char *scheme, long valence, const char *certificate);
+
+#endif

@@ -1,0 +1,28 @@
+/* mutations.h: random edits of certificates that know what the lines mean. */
+#ifndef TESTS_CERTIFICATES_MUTATIONS_H
+#define TESTS_CERTIFICATES_MUTATIONS_H
+
+#include "verify/buffer.h"
+
+/* A text line by line, without line feeds. */
+typedef struct {
+    char **line;
+    int count;
+} lines;
+
+/* The lines of the text up to the first that begins with `end` (NULL: all of them). */
+void lines_read(lines *z, const char *text, const char *end);
+void lines_clear(lines *z);
+/* Appends all lines to the buffer. */
+void lines_write(buffer *z, const lines *x);
+/* The first line that begins with this word and a blank; x->count if there is none. */
+int lines_find(const lines *x, const char *word);
+void lines_replace(lines *z, int i, const char *line);
+
+/* One random edit of the lines from `first` on: of lines, tokens, digits, numbers or trees, or lines of the same name
+   taken from `other`, a certificate of something else. */
+void mutate_lines(lines *z, int first, const lines *other);
+/* One random edit of the numbers of the scheme's text, lines first..last. */
+void mutate_scheme(lines *z, int first, int last);
+
+#endif

@@ -1,0 +1,199 @@
+#!/bin/sh
+# The independent checker on certificates for several valences: good ones, good ones with one lie each, and
+# folders whose certificates share a claim. One line for each test; exit status 0 iff none failed.
+set -u
+LC_ALL=C
+export LC_ALL
+
+here=$SRCDIR/tests/check/ranges
+singles=$SRCDIR/tests/certificates/accept-1
+catalogue=$SRCDIR/lib/catalogue
+failures=0
+
+# claim NAME STATUS PATTERN SCHEME-FILE VALENCES CERTIFICATE: what the checker says, on stdout if it verifies.
+claim() {
+  "$SMOOTHCERT_CHECK" --scheme "$4" --valence "$5" --claim "${CLAIM:-c1}" "$6" >stdout 2>stderr
+  status=$? said=stderr
+  if [ "$status" = 0 ]; then said=stdout; elif [ -s stdout ]; then status="$status with output"; fi
+  if [ "$status" = "$2" ] && grep -q -e "$3" "$said"; then
+    echo "PASS $1"
+  else
+    echo "FAIL $1: exit status $status, not $2 with \`$3': $(head -n 1 "$said")"
+    failures=$((failures + 1))
+  fi
+}
+
+# finish BODY CERT: adds the two last records to the lines of BODY.
+finish() {
+  { cat "$1" && echo "records $(($(wc -l <"$1")))"; } >"$2"
+  hash=$(if command -v sha256sum >/dev/null 2>&1; then sha256sum; else shasum -a 256; fi <"$2" | cut -c 1-64)
+  echo "sha256 $hash" >>"$2"
+}
+
+# lie CERTIFICATE SCHEME VALENCES NAME STATUS PATTERN SED-COMMAND: the certificate with one change, and a true hash.
+lie() {
+  sed -e '/^records/,$d' -e "$7" "$here/$1.cert" >body
+  finish body lie.cert
+  claim "$1-$4" "$5" "$6" "$catalogue/$2.scheme" "$3" lie.cert
+}
+
+# Beyond all bounds, with `rise`
+
+endless() { lie loop-31-inf loop 31..inf "$@"; }
+endless nothing 0 '^verified: loop is C1 at valences 31..inf (0.619792828 <= L <= 0.625083076)$' ''
+endless first 1 ':18: valence: expected 31..inf' 's/^valence 31/valence 30/'
+endless one-valence 1 ':18: valence: expected 31..inf' 's/^valence 31 inf/valence 31/'
+endless last-smaller 1 'valence: expected the first and a greater' 's/^valence 31 inf/valence 31 30/'
+endless last-same 1 'valence: expected the first and a greater' 's/^valence 31 inf/valence 31 31/'
+endless last-large 2 'number in' 's/^valence 31 inf/valence 31 1000000001/'
+endless last-word 1 'decimal' 's/^valence 31 inf/valence 31 info/'
+endless last-more 1 'no more values' 's/^valence 31 inf/& 5/'
+endless version-0 1 'valence' 's/^smoothcert-certificate 1/smoothcert-certificate 0/'
+endless form 1 'form' 's/^form real/form complex/'
+endless radius-0 1 'radius' 's/^radius .*/radius 0/'
+endless radius-shrunk 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+endless range-shrunk 1 'range: the Krawczyk' 's/^range .*/range 100000/'
+endless range-below-radius 1 'range: it is smaller than the radius' 's/^range .*/range fffff/'
+endless range-missing 1 'expected .range' '/^range/d'
+endless range-of-rise 1 'range: it is smaller' '/^rise/,/^cover/s/^range .*/range 1/'
+endless rise-removed 1 'cover: the other' '/^rise/,/^cover/{
+/^cover/!d
+}'
+endless rise-short 1 'rise: it ends before' 's/^rise a5294a5294b/rise 84210842108/'
+endless rise-long-enough 1 'rise: it does not go on' 's/^rise a5294a5294b/rise 84210842109/'
+endless rise-backward 1 'rise: it does not go on' 's/^rise 86d2d3b6df6/rise 5f503a89f07/'
+endless rise-none 1 'rise: it does not go on' 's/^rise 5f503a89f07/rise 0/'
+endless rise-wide 1 'Krawczyk' 's/^rise a5294a5294b/rise 400000000000/'
+endless rise-large 2 '2^47' 's/^rise a5294a5294b/rise 800000000001/'
+endless rise-negative 2 '2^47' 's/^rise a5294a5294b/rise -1/'
+endless block-2 1 'block: expected' 's/^block 1 1 .*/&\
+block 2 2 9/'
+endless block-1-missing 1 'block: ' '/^block 1 1/d'
+endless block-0-power 1 'block 0 are not proved' 's/^block 0 0 .*/block 0 0 0/'
+endless cover-missing 1 'expected .cover' '/^cover/d'
+endless cover-last-missing 1 'cover: it ends too early' '/^cover 2 inf 800000000000/d'
+endless cover-hole 1 'cover: the other' '/^cover 2 inf 27bdef7bdef8/d'
+endless cover-last-short 1 'cover: it ends too early' 's/^cover 2 inf 800000000000/cover 2 inf 7fffffffffff/'
+endless cover-last-beyond 2 '2^47' 's/^cover 2 inf 800000000000/cover 2 inf 800000000001/'
+endless cover-backward 1 'cover: it does not go on' 's/^cover 2 inf 27bdef7bdef8/cover 2 inf a5294a5294a/'
+endless cover-twice 1 'cover: all is covered' 's/^cover 2 inf 800000000000 .*/&\
+&/'
+endless cover-standing 1 'cover: it does not go on' 's/^cover 2 inf 27bdef7bdef8 .*/&\
+&/'
+endless cover-number 1 'cover: ' 's/^cover 2 inf/cover 2 1000/'
+endless cover-from-3 1 'cover: expected the frequencies from 2' 's/^cover 2 inf/cover 3 inf/'
+endless cover-mixed 1 'too early' 's/^cover 2 inf 8/cover 2 500 8/'
+endless cover-power 1 'cover: the other' 's/^\(cover 2 inf 27bdef7bdef8\) .*/\1 0/'
+endless eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue 8/'
+endless regularity 1 'regularity: a leaf' 's/^regularity .*/regularity 000/'
+endless boundary 1 'boundary: a leaf' 's/^halfplane .*/halfplane 1 -1/'
+endless hash 0 '^verified' 's/^contraction .*/contraction 1 2 1/'
+CLAIM=not-c1 endless claim 1 'claim' ''
+CLAIM=not-c1 endless claim-changed 1 '' 's/^claim c1/claim not-c1/'
+
+# Does it matter which valences it is about?
+
+for k in 30..inf 20..inf 32..inf 31..1000; do
+  lie loop-31-inf loop "$k" "relabelled-$k" 1 '' "s/^valence .*/valence $(echo "$k" | sed 's/\.\./ /')/"
+done
+for k in 9..11 8..10 9..20 9..inf; do
+  lie loop-9-10 loop "$k" "relabelled-$k" 1 '' "s/^valence .*/valence $(echo "$k" | sed 's/\.\./ /')/"
+done
+# One valence in the clothes of several: D would have to be ignored.
+sed -e '/^records/,$d' -e 's/^valence 20/valence 20 30/' -e 's/^radius .*/&\
+range 40000/' -e '/^block [2-9]/d' -e 's/^halfplane/cover 2 inf 800000000000 5\
+&/' "$singles/loop-20.cert" >body
+finish body lie.cert
+claim single-as-several 1 'Krawczyk' "$catalogue/loop.scheme" 20..30 lie.cert
+
+# Groups of frequencies, without `rise`
+
+groups() { lie loop-20-30 loop 20..30 "$@"; }
+groups nothing 0 '^verified: loop is C1 at valences 20..30 ' ''
+groups in-one 1 ':33: cover: ' '/^cover [3-9]/d
+/^cover 1/d
+s/^cover 2 2 .*/cover 2 15 800000000000 9/'
+groups gap 1 'cover: expected the frequencies from 6' '/^cover 6 6/d'
+groups overlap 1 'cover: expected the frequencies from 7' 's/^cover 7 7/cover 6 7/'
+groups order 1 'cover: expected the frequencies from 6' '/^cover 6 6/{
+N
+s/^\(.*\)\n\(.*\)$/\2\
+\1/
+}'
+groups backward 1 'cover: expected' 's/^cover 6 6/cover 6 5/'
+groups end 1 'cover: it ends too early' '/^cover 15 15/d'
+groups beyond 0 '^verified' 's/^cover 15 15/cover 15 1000/'
+groups beyond-inf 0 '^verified' 's/^cover 15 15/cover 15 inf/'
+groups beyond-and-more 1 'cover: all is covered' 's/^cover 15 15 .*/&\
+cover 16 16 800000000000 0/'
+groups place 1 'cover: the lines' 's/^cover 6 6 4ccccccccccd/cover 6 6 4ccccccccccc/'
+groups rounding 0 '^verified' 's/^cover 6 6 4ccccccccccd/cover 6 6 4ccccccccccf/'
+groups early 1 'cover: it does not go on' 's/^cover 6 6 4ccccccccccd/cover 6 6 100000000000/'
+
+# Quads; a composition whose centre depends on k
+
+lie catmull-clark-40-60 catmull-clark 40..60 nothing 0 '^verified: catmull-clark is C1 at valences 40..60' ''
+lie catmull-clark-40-60 catmull-clark 40..61 more 1 '' 's/^valence 40 60/valence 40 61/'
+lie catmull-clark-40-60 catmull-clark 40..60 eigenvector 1 'Krawczyk' 's/^eigenvector ./eigenvector 9/'
+
+# Rules
+
+# ruled NAME STATUS PATTERN CENTRE [CONDITION]: Loop's with a rule at (1,0) that says what the mask says.
+ruled() {
+  {
+    cat "$catalogue/loop.scheme"
+    echo "rule (1,0) ${5:-}
+  centre $4
+  (1,0) rest
+  (1,0) @ 1 1/8
+  (1,0) @ -1 1/8
+end"
+  } >ruled.scheme
+  sed -e 's/#.*//' -e 's/[ 	][ 	]*/ /g' -e 's/^ //' -e 's/ $//' -e '/^$/d' ruled.scheme >text
+  {
+    echo "smoothcert-certificate 1"
+    echo "scheme $(($(wc -l <text)))"
+    cat text
+    sed -n -e '/^records/,$d' -e 's/^regularity.*/regularity 222222222222/' -e 's/^boundary.*/boundary 2222/' -e '/^claim/,$p' "$here/loop-31-inf.cert"
+  } >body
+  finish body lie.cert
+  claim "rule-$1" "$2" "$3" ruled.scheme 31..inf lie.cert
+}
+ruled constant 0 '^verified' 3/8
+ruled depends-on-k 1 'rise: a weight of a rule depends on k or m' '3/8 + 0*k'
+ruled depends-by-cases 1 'rise: a weight of a rule depends on k or m' 'cases(k > 5: 3/8; else: 1)'
+ruled unbounded 1 'not bounded' 'k/8'
+ruled condition-at-all 0 '^verified' 3/8 'when k > 30'
+ruled condition-at-none 0 '^verified' 1/8 'when k < 31 or k = 7'
+ruled condition-at-some 1 'not proved to hold at all' 3/8 'when k > 31'
+ruled condition-at-one 1 'not proved to hold at all' 3/8 'when k != 100'
+ruled condition-unknown 1 'not proved to hold at all' 3/8 'when mod(k, 2) = 0'
+ruled condition-of-roots 1 'not proved to hold at all' 3/8 'when sqrt(k + 1) > 2'
+
+# Folders
+
+# folder NAME STATUS PATTERN VALENCES FILE...
+folder() {
+  name=$1 status=$2 pattern=$3 valences=$4
+  shift 4
+  rm -rf folder
+  mkdir folder
+  cp "$@" folder
+  claim "folder-$name" "$status" "$pattern" "$catalogue/loop.scheme" "$valences" folder
+}
+a=$here/loop-9-10.cert b=$here/loop-20-30.cert c=$here/loop-31-inf.cert
+folder partition 0 '^verified: loop is C1 at valences 31..inf' 20..inf "$b" "$c"
+folder pieces 0 '^verified: loop is C1 at valences 9..10' 7,9..10,20..inf "$a" "$b" "$c" "$singles/loop-7.cert"
+folder others 0 '^verified: loop is C1 at valences 9..10' 9,10 "$a" "$b" "$c" "$singles/loop-7.cert"
+folder gap 1 'no certificate in folder is about the valences 11..19$' 9..inf "$a" "$b" "$c"
+folder gap-first 1 'no certificate in folder is about valence 8$' 8..10 "$a"
+folder gap-last 1 'no certificate in folder is about the valences 31..inf$' 20..inf "$b"
+folder overlap 1 'both folder/loop-20-30.cert and folder/loop-20.cert are about valence 20$' 20..30 "$b" "$singles/loop-20.cert"
+folder overlap-inside 1 'both .* are about valence 30$' 20..30 "$b" "$singles/loop-30.cert"
+folder overlap-endless 1 'both .* are about valence 1000$' 31..inf "$c" "$singles/loop-1000.cert"
+folder part 1 'loop-20-30.cert is about the valences 20..30, of which only a part is claimed' 20..25 "$b"
+folder part-of-endless 1 'of which only a part is claimed' 20..40 "$b" "$c"
+claim file-of-several-ranges 2 'one certificate' "$catalogue/loop.scheme" 9..10,20 "$a"
+claim file-of-another-range 1 'valence: expected 9..11' "$catalogue/loop.scheme" 9..11 "$a"
+
+[ "$failures" = 0 ]

@@ -1,0 +1,114 @@
+/* partition.c: boxes of about the same width in u = cos(pi/k), as wide as what was decided before lets hope. */
+#include "partition.h"
+
+#include "../lib/scheme_range.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Of the first box, in u. */
+#define FIRST_WIDTH 0.04
+/* After so many single valences in a row, none of which helped to decide more than itself, a range without an end is given up. */
+#define MAX_SINGLES 200
+
+typedef struct {
+    const partition *p;
+    valence_range range;
+    long k;        /* the first one that is still open */
+    double width;  /* of the next box */
+    long singles;  /* in a row */
+} progress_of_partition;
+
+static double u_of(long k)
+{
+    return k == VALENCES_UNBOUNDED ? 1 : cos(acos(-1) / (double)k);
+}
+
+/* The last valence of a box from k that is about so wide. */
+static long end_of_box(long k, long last, double width)
+{
+    double u = u_of(k) + width, end = u < 1 ? acos(-1) / acos(u) : INFINITY;
+    if (end >= (double)CHOICES_MAX_VALENCE || end >= (double)last)
+        return last;
+    return end <= (double)k ? k : (long)end;
+}
+
+/* A box that begins at k, made smaller until it is decided; true: there is a verdict, or no sense in going on. */
+static bool decide_box(progress_of_partition *s, decision *d)
+{
+    const partition *p = s->p;
+    for (;;) {
+        valence_range box = {s->k, end_of_box(s->k, s->range.last, s->width)};
+        double width;
+        diagnostic unused;
+        if (scheme_decided_up_to(&box.last, p->problem->scheme, box, &unused) != STATUS_OK || box.last == s->k)
+            return false;
+        width = u_of(box.last) - u_of(s->k);
+        decide_range(d, p->problem, box, p->limits);
+        if (d->verdict != VERDICT_UNDECIDED) {
+            s->width = width > s->width / 2 ? 1.5 * width : s->width;
+            return true;
+        }
+        if (d->outcome == OUTCOME_NO_MEMORY || d->outcome == OUTCOME_STOPPED)
+            return true;
+        decision_clear(d);
+        s->width = width / 2;
+    }
+}
+
+/* By a certificate that is there already. */
+static bool decide_as_before(const progress_of_partition *s, decision *d)
+{
+    const partition *p = s->p;
+    buffer earlier;
+    valence_range k;
+    bool decided = false;
+    buffer_init(&earlier);
+    k = p->find_earlier(&earlier, s->k, s->range.last, p->data);
+    if (earlier.length)
+        decided = decide_by_certificate(d, p->problem, k, &earlier, p->limits);
+    buffer_clear(&earlier);
+    return decided;
+}
+
+static void leave_open(const progress_of_partition *s, decision *d)
+{
+    d->k = (valence_range){s->k, s->range.last};
+    d->outcome = OUTCOME_FAIL;
+    findings_begin(&d->findings, "ranges of valences", "exact", 0);
+    findings_explain(&d->findings, OUTCOME_FAIL, "%d valences in a row could be decided only one by one, which does not end", MAX_SINGLES);
+    findings_last(&d->findings)->outcome = OUTCOME_FAIL;
+}
+
+/* The next decision, about a box from s->k on. */
+static void decide_next(progress_of_partition *s, decision *d)
+{
+    if (decide_as_before(s, d))
+        return;
+    if (decide_box(s, d)) {
+        s->singles = 0;
+    } else if (s->range.last == VALENCES_UNBOUNDED && s->singles >= MAX_SINGLES) {
+        leave_open(s, d);
+    } else {
+        decide_valence(d, s->p->problem, s->k, NULL, s->p->limits);
+        s->singles++;
+    }
+}
+
+bool partition_run(const partition *p, valence_range range)
+{
+    progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0};
+    bool more = true;
+    for (long last = 0; more && last != range.last; s.k = last + 1) {
+        decision d;
+        decision_init(&d);
+        decide_next(&s, &d);
+        last = d.k.last;
+        more = p->take(&d, p->data);
+        decision_clear(&d);
+        if (last == range.last)
+            break;
+    }
+    return more;
+}
