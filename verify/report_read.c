@@ -181,7 +181,7 @@ report_status report_read(report *z, const char *path)
         result = REPORT_NO_MEMORY;
     for (size_t i = 0; result == REPORT_OK && i < z->view.index.count; i++)
         result = add_entry(z, &z->view.index.entry[i]);
-    if (result == REPORT_OK && !archive_view_is_indexed(&z->view)) {
+    if (result == REPORT_OK && !z->view.is_indexed) {
         snprintf(z->complaint, sizeof z->complaint, "%.300s: the index does not say what is there; run the same 'smoothcert prove' again, which goes on and writes it, or 'smoothcert archive verify'", path);
         return REPORT_BAD_INPUT;
     }
