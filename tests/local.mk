@@ -147,6 +147,7 @@ SCRIPT_TESTS = \
   tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
   tests/certificates/usage.sh \
+  tests/fuzz/agree.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
   tests/verify/archive.sh \
@@ -170,10 +171,23 @@ EXTRA_DIST += \
   tests/certificates/reject-1 \
   tests/verify/schemes
 
+# The kept inputs of the fuzz targets, without libFuzzer.
+FUZZ_TESTS = \
+  tests/fuzz/t-fuzz-scheme \
+  tests/fuzz/t-fuzz-certificate \
+  tests/fuzz/t-fuzz-formula \
+  tests/fuzz/t-fuzz-valences
+FUZZ_CHECKER_TESTS = \
+  tests/fuzz/t-fuzz-check-scheme \
+  tests/fuzz/t-fuzz-check-certificate \
+  tests/fuzz/t-fuzz-check-arguments
+
 ALL_GENERIC_TESTS = $(GENERIC_TESTS:=-interval) $(GENERIC_TESTS:=-ball) $(GENERIC_TESTS:=-grid)
 
+ALL_FUZZ_TESTS = $(FUZZ_TESTS) $(FUZZ_CHECKER_TESTS)
+
 ALL_TESTS = $(BIGFLOAT_TESTS) $(ORACLE_TESTS) $(LIB_TESTS) $(ALL_GENERIC_TESTS) $(VERIFY_TESTS) \
-  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(SCRIPT_TESTS)
+  $(CERTIFICATE_TESTS) $(CHECK_TESTS) $(ALL_FUZZ_TESTS) $(SCRIPT_TESTS)
 
 # What faults do: a library that is preloaded, where that can be, and what a disk may hold after a crash.
 check_PROGRAMS += tests/faults/crash
@@ -221,12 +235,13 @@ tests/%-grid: tests/%.c $(GENERIC_TEST_NEEDS)
 # here, for automake would then run them its own way.
 RUN_TESTS = SRCDIR=$(srcdir) BUILDDIR=. $(SHELL) $(srcdir)/tests/run-tests --only "$(TESTS)" $(ALL_TESTS)
 
-check-local: $(ALL_GENERIC_TESTS) $(PRELOADED)
+check-local: $(ALL_GENERIC_TESTS) $(ALL_FUZZ_TESTS) $(PRELOADED)
 	@$(RUN_TESTS)
 
 # Build what `make check` needs and run nothing.
 .PHONY: check-programs check-long
 check-programs: all
+	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(ALL_FUZZ_TESTS)
 	@$(MAKE) $(AM_MAKEFLAGS) $(check_PROGRAMS) $(ALL_GENERIC_TESTS) $(PRELOADED)
 
 # Random tests for longer: each test draws until its time is up.
@@ -259,3 +274,44 @@ mutate: all tests/certificates/t-mutate
 	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
 	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
 	  $(abs_builddir)/tests/certificates/t-mutate
+
+# Does the corpus notice when a check of the checker is left out?  DISABLE="FILE:LINE ..." tries only these.
+EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors
+.PHONY: disable-checks
+disable-checks: all
+	@CC='$(CC)' SRCDIR=$(abs_srcdir) BUILDDIR=$(abs_builddir) \
+	  $(SHELL) $(srcdir)/tests/check/disable-checks $(DISABLE)
+
+# Fuzz targets: tests/fuzz/fuzz.h.  Those of the checker see it with other names for exit and fopen, and with memory
+# that sanitizers can watch (tests/fuzz/checker.c).
+FUZZ_FILES = tests/fuzz/fuzz.h tests/fuzz/result.c tests/fuzz/replay.c
+FUZZ_CHECKER_FILES = tests/fuzz/checker.h tests/fuzz/checker.c
+FUZZ_RENAMED = -Dexit=checker_exit -Dfopen=checker_fopen
+FUZZ_CC = $(CC) $(AM_CFLAGS) $(CFLAGS) -I$(srcdir) -D_POSIX_C_SOURCE=200809L
+EXTRA_DIST += tests/fuzz/fuzz.sh tests/fuzz/inputs $(FUZZ_FILES) $(FUZZ_CHECKER_FILES) \
+  $(ALL_FUZZ_TESTS:tests/fuzz/t-fuzz-%=tests/fuzz/%.c)
+CLEANFILES += $(ALL_FUZZ_TESTS) $(FUZZ_CHECKER_TESTS:=.o) tests/fuzz/checker.a
+
+$(FUZZ_TESTS): tests/fuzz/t-fuzz-%: tests/fuzz/%.c $(FUZZ_FILES) libverify.a libscheme.a libbigfloat.a
+	$(AM_V_CCLD)$(MKDIR_P) $(@D) && $(FUZZ_CC) -I$(top_builddir) -o $@ $< $(srcdir)/tests/fuzz/result.c $(srcdir)/tests/fuzz/replay.c $(VERIFY_LIBS)
+
+tests/fuzz/checker.a: $(FUZZ_CHECKER_FILES) $(CHECK_SOURCES)
+	$(AM_V_AR)rm -rf tests/fuzz/checker $@ && $(MKDIR_P) tests/fuzz/checker
+	@for file in $(filter-out %/main.c %/scratch.c,$(filter verify/check/%.c $(srcdir)/verify/check/%.c,$^)); do \
+	  $(FUZZ_CC) $(FUZZ_RENAMED) -c -o tests/fuzz/checker/$$(basename $$file .c).o $$file || exit 1; \
+	done
+	@$(FUZZ_CC) -c -o tests/fuzz/checker/memory.o $(srcdir)/tests/fuzz/checker.c
+	@$(AR) cr $@ tests/fuzz/checker/*.o
+
+$(FUZZ_CHECKER_TESTS): tests/fuzz/t-fuzz-%: tests/fuzz/%.c $(FUZZ_FILES) tests/fuzz/checker.a
+	$(AM_V_CCLD)$(FUZZ_CC) $(FUZZ_RENAMED) -c -o $@.o $<
+	@$(FUZZ_CC) -o $@ $@.o $(srcdir)/tests/fuzz/result.c $(srcdir)/tests/fuzz/replay.c tests/fuzz/checker.a
+
+# Each parser for so many seconds with libFuzzer (clang).
+SECONDS = 60
+.PHONY: fuzz
+fuzz:
+	@$(SHELL) $(srcdir)/tests/fuzz/fuzz.sh $(srcdir) $(SECONDS) $(FUZZ_TARGETS)
+
+clean-local:
+	rm -rf mutate fuzz disable-checks tests/fuzz/checker

@@ -34,23 +34,28 @@ static archive_earlier compare_with_journal(const archive *z, const char *name, 
     return strcmp(digest, finished) ? EARLIER_DAMAGED : EARLIER_FINISHED;
 }
 
-archive_earlier archive_read(const archive *z, buffer *certificate, valence_range k)
+/* The file, if it is not damaged. */
+static archive_earlier read_file(const archive *z, buffer *bytes, const char *name)
 {
     archive_earlier result;
-    char name[ARCHIVE_NAME_MAX];
-    char *path;
-    if (!z->path)
-        return EARLIER_NONE;
-    archive_name(name, k, ARCHIVE_CERTIFICATE);
-    path = durable_path(z->path, name);
-    if (path && buffer_read_file(certificate, path, ARCHIVE_MAX_BYTES) && certificate->length)
-        result = compare_with_journal(z, name, certificate);
+    char *path = durable_path(z->path, name);
+    if (path && buffer_read_file(bytes, path, ARCHIVE_MAX_BYTES) && bytes->length)
+        result = compare_with_journal(z, name, bytes);
     else
         result = journal_find(&z->finished, name) ? EARLIER_DAMAGED : EARLIER_NONE;
     free(path);
     if (result == EARLIER_NONE || result == EARLIER_DAMAGED)
-        buffer_clear(certificate);
+        buffer_clear(bytes);
     return result;
+}
+
+archive_earlier archive_read(const archive *z, buffer *certificate, valence_range k)
+{
+    char name[ARCHIVE_NAME_MAX];
+    if (!z->path)
+        return EARLIER_NONE;
+    archive_name(name, k, ARCHIVE_CERTIFICATE);
+    return read_file(z, certificate, name);
 }
 
 bool archive_read_journal(journal *z, const char *path)
@@ -104,8 +109,13 @@ static bool keep_certificate(archive *z, const decision *d)
 static bool has_log(const archive *z, const decision *d)
 {
     char name[ARCHIVE_NAME_MAX];
+    buffer log;
+    archive_earlier earlier;
+    buffer_init(&log);
     archive_name(name, valences_of(d), ARCHIVE_LOG);
-    return journal_find(&z->finished, name) != NULL;
+    earlier = read_file(z, &log, name);
+    buffer_clear(&log);
+    return earlier == EARLIER_FINISHED;
 }
 
 archive_status archive_keep(archive *z, char **certificate, const decision *d, archive_earlier earlier)

@@ -18,6 +18,7 @@ void archive_view_init(archive_view *z)
     buffer_init(&z->runs);
     journal_init(&z->finished);
     archive_index_init(&z->index);
+    z->is_indexed = false;
 }
 
 void archive_view_clear(archive_view *z)
@@ -37,11 +38,26 @@ static bool read_text(buffer *z, const char *path, const char *name, bool needed
     return ok;
 }
 
+/* false: no memory, as errno says. */
+static bool compare_index(archive_view *z)
+{
+    buffer text;
+    bool ok;
+    buffer_init(&text);
+    archive_index_print(&text, &z->index);
+    z->is_indexed = text.length == z->index_text.length && (text.length == 0 || !memcmp(text.bytes, z->index_text.bytes, text.length));
+    ok = !text.failed;
+    if (!ok)
+        errno = ENOMEM;
+    buffer_clear(&text);
+    return ok;
+}
+
 bool archive_view_read(archive_view *z, const char *path)
 {
     z->path = path;
     return read_text(&z->scheme, path, ARCHIVE_SCHEME, true) && read_text(&z->index_text, path, ARCHIVE_INDEX, false) && read_text(&z->runs, path, ARCHIVE_RUNS, false) &&
-           archive_read_journal(&z->finished, path) && archive_index_make(&z->index, path, &z->finished);
+           archive_read_journal(&z->finished, path) && archive_index_make(&z->index, path, &z->finished) && compare_index(z);
 }
 
 void archive_view_name(char name[65], const archive_view *z)
@@ -90,15 +106,4 @@ size_t archive_view_list(buffer *text, const archive_view *z, verdict v)
     if (count)
         print_range(text, together, first);
     return count;
-}
-
-bool archive_view_is_indexed(const archive_view *z)
-{
-    buffer text;
-    bool same;
-    buffer_init(&text);
-    archive_index_print(&text, &z->index);
-    same = !text.failed && text.length == z->index_text.length && (text.length == 0 || !memcmp(text.bytes, z->index_text.bytes, text.length));
-    buffer_clear(&text);
-    return same;
 }

@@ -10,7 +10,8 @@ typedef struct {
     buffer scheme;           /* texts of its files; empty where there is none */
     buffer index_text, runs;
     journal finished;
-    archive_index index;     /* made from the directory as it is */
+    archive_index index;     /* made from the directory as it is; */
+    bool is_indexed;         /*   the file `index` says the same */
 } archive_view;
 
 void archive_view_init(archive_view *z);
@@ -24,8 +25,5 @@ void archive_view_name(char name[65], const archive_view *z);
 
 /* Appends the valences with that verdict as a list, neighbours together: "3..7, 9".  How many entries these are. */
 size_t archive_view_list(buffer *text, const archive_view *z, verdict v);
-
-/* Does the file `index` say what is there? */
-bool archive_view_is_indexed(const archive_view *z);
 
 #endif

@@ -78,7 +78,7 @@ static const char *last_run(const archive_view *v, int *length)
     return p;
 }
 
-static void list_for_people(const archive_view *v)
+static int list_for_people(const archive_view *v)
 {
     static const char *const verdicts[] = {[VERDICT_PROVED] = "proved", [VERDICT_REFUTED] = "refuted", [VERDICT_UNDECIDED] = "undecided"};
     summary s = summarise(&v->index);
@@ -88,11 +88,12 @@ static void list_for_people(const archive_view *v)
     archive_view_name(name, v);
     printf("%s: %s\n", v->path, name);
     for (int i = VERDICT_PROVED; i <= VERDICT_UNDECIDED; i++) {
-        buffer valences;
-        buffer_init(&valences);
-        if (archive_view_list(&valences, v, (verdict)i))
-            printf("  %-10s %s\n", verdicts[i], valences.bytes ? valences.bytes : "?");
-        buffer_clear(&valences);
+        buffer line;
+        buffer_init(&line);
+        buffer_print(&line, "  %-10s ", verdicts[i]);
+        if (archive_view_list(&line, v, (verdict)i) && print_line(&line))
+            return EXIT_NO_MEMORY;
+        buffer_clear(&line);
     }
     printf("  format     %d", s.newest);
     if (s.oldest < s.newest)
@@ -104,11 +105,12 @@ static void list_for_people(const archive_view *v)
     run = last_run(v, &length);
     if (run)
         printf("  last run   %.*s\n", length, run);
-    if (!archive_view_is_indexed(v))
+    if (!v->is_indexed)
         printf("  index      not up to date: a run was interrupted, or files were changed\n");
+    return 0;
 }
 
-static void list_as_json(const archive_view *v)
+static int list_as_json(const archive_view *v)
 {
     summary s = summarise(&v->index);
     char name[65];
@@ -125,13 +127,12 @@ static void list_as_json(const archive_view *v)
         buffer_print(&b, "\"");
     }
     buffer_print(&b, ",\"formats\":[%d,%d],\"grids\":[%ld,%ld],\"bytes\":%zu", s.oldest, s.newest, s.coarsest, s.finest, s.bytes);
-    buffer_print(&b, ",\"indexed\":%s", archive_view_is_indexed(v) ? "true" : "false");
+    buffer_print(&b, ",\"indexed\":%s", v->is_indexed ? "true" : "false");
     run = last_run(v, &length);
     if (run)
         buffer_print(&b, ",\"last_run\":%.*s", length, run);
     buffer_print(&b, "}");
-    puts(b.failed ? "{}" : b.bytes);
-    buffer_clear(&b);
+    return print_line(&b);
 }
 
 int archive_list(const archive_options *o)
@@ -141,10 +142,8 @@ int archive_list(const archive_options *o)
         archive_view v;
         archive_view_init(&v);
         result = archive_view_open(&v, o->directory[i]);
-        if (result < 0) {
-            result = 0;
-            (o->json ? list_as_json : list_for_people)(&v);
-        }
+        if (result < 0)
+            result = (o->json ? list_as_json : list_for_people)(&v);
         archive_view_clear(&v);
     }
     return result;

@@ -74,7 +74,7 @@ static int check(const archive_view *v)
     for (size_t i = 0; i < v->index.count; i++)
         if (v->index.entry[i].damaged)
             return complain(EXIT_BAD_INPUT, "%s: a certificate is damaged; 'smoothcert archive verify' says which", v->path);
-    if (!archive_view_is_indexed(v))
+    if (!v->is_indexed)
         return complain(EXIT_BAD_INPUT, "%s: the index is not up to date; the command that made the directory mends it", v->path);
     return -1;
 }

@@ -21,6 +21,7 @@ typedef struct {
     long followed, old; /* certificates that hold, and those of an old version, which are not followed */
     long troubles;
     bool contradiction;
+    int result; /* an exit status, if something could not be told */
 } check;
 
 /* What is wrong with which file of the directory. */
@@ -38,8 +39,7 @@ static void blame(check *c, const char *file, const char *what)
     json_add_string(&b, "directory", c->view.path);
     json_add_string(&b, "file", file);
     buffer_print(&b, "}");
-    puts(b.failed ? "{}" : b.bytes);
-    buffer_clear(&b);
+    c->result = c->result ? c->result : print_line(&b);
 }
 
 /* What the journal calls finished is there as it was. */
@@ -73,7 +73,7 @@ static void check_index(check *c)
 {
     valence_range pair[2];
     char first[VALENCE_RANGE_TEXT], second[VALENCE_RANGE_TEXT], text[160];
-    if (!archive_view_is_indexed(&c->view))
+    if (!c->view.is_indexed)
         blame(c, ARCHIVE_INDEX, c->view.index_text.length ? "not what is in the directory; the next run makes it anew" : "missing; the next run makes it");
     c->contradiction = archive_index_contradiction(pair, &c->view.index);
     if (!c->contradiction)
@@ -131,7 +131,7 @@ static int follow_all(check *c)
     return result;
 }
 
-static void say_result(const check *c)
+static void say_result(check *c)
 {
     char name[65];
     archive_view_name(name, &c->view);
@@ -141,8 +141,7 @@ static void say_result(const check *c)
         buffer_print(&b, "{\"scheme\":\"%s\",\"hold\":%ld,\"old\":%ld,\"troubles\":%ld", name, c->followed, c->old, c->troubles);
         json_add_string(&b, "directory", c->view.path);
         buffer_print(&b, "}");
-        puts(b.failed ? "{}" : b.bytes);
-        buffer_clear(&b);
+        c->result = c->result ? c->result : print_line(&b);
         return;
     }
     printf("%s: %s: %ld certificates hold", c->view.path, name, c->followed);
@@ -168,7 +167,7 @@ static int verify_one(const char *path, bool json)
     }
     if (result == 0) {
         say_result(&c);
-        result = c.contradiction ? EXIT_FAULT : c.troubles ? EXIT_BAD_INPUT : 0;
+        result = c.result ? c.result : c.contradiction ? EXIT_FAULT : c.troubles ? EXIT_BAD_INPUT : 0;
     }
     examine_subject_clear(&c.subject);
     archive_view_clear(&c.view);

@@ -7,6 +7,7 @@
 #include "command.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -19,6 +20,15 @@ int complain_of_file(const char *path)
 int complain_of_memory(void)
 {
     return complain(EXIT_NO_MEMORY, "no memory");
+}
+
+int print_line(buffer *text)
+{
+    int result = text->failed ? complain_of_memory() : 0;
+    if (result == 0)
+        puts(text->bytes ? text->bytes : "");
+    buffer_clear(text);
+    return result;
 }
 
 static int for_each_of_index(const archive_index *index, const char *path, int (*act)(const char *, void *), void *data)

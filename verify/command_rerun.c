@@ -82,7 +82,16 @@ static int report(rerun_run *r, const rerun *found)
         result = keep(r, found->decision);
     if (result)
         return result;
-    (r->json ? rerun_print_json : rerun_print_line)(found);
+    if (r->json) {
+        buffer line;
+        buffer_init(&line);
+        rerun_print_json(&line, found);
+        result = print_line(&line);
+    } else {
+        rerun_print_line(found);
+    }
+    if (result)
+        return result;
     if (fflush(stdout) != 0)
         return EXIT_IO; /* finish_output complains */
     if (rerun_is_contradiction(found))

@@ -168,13 +168,13 @@ static void say_followed(const examination *x)
         printf("  followed        no: %s: %s\n", last->test ? last->test : "start", last->reason);
 }
 
-static void say(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
+static int say(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
 {
     char claim[160];
     const scheme *s = &r->subject.scheme;
     if (!x->claim.scheme) {
         printf("%s: line %ld: %s\n", file, x->line, x->reason);
-        return;
+        return 0;
     }
     examine_print_claim(claim, sizeof claim, x, r->subject.made ? s->name : "the scheme");
     printf("%s: %s%s\n", file, x->followed == OUTCOME_TRUE ? "" : "claims that ", claim);
@@ -190,9 +190,10 @@ static void say(const examination *x, const show_run *r, const char *file, const
         }
     }
     say_followed(x);
+    return 0;
 }
 
-static void say_json(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
+static int say_json(const examination *x, const show_run *r, const char *file, const char *eigenvalue)
 {
     char valences[VALENCE_RANGE_TEXT] = "";
     buffer b;
@@ -216,8 +217,7 @@ static void say_json(const examination *x, const show_run *r, const char *file, 
     if (!x->readable)
         json_add_string(&b, "trouble", x->reason);
     buffer_print(&b, "}");
-    puts(b.failed ? "{}" : b.bytes);
-    buffer_clear(&b);
+    return print_line(&b);
 }
 
 /* ---- one after the other ---- */
@@ -240,7 +240,7 @@ static int show_certificate(const char *file, void *data)
         if (eigenvalue.failed)
             result = complain_of_memory();
         else
-            (r->json ? say_json : say)(&x, r, file, eigenvalue.bytes);
+            result = (r->json ? say_json : say)(&x, r, file, eigenvalue.bytes);
         if (x.followed != OUTCOME_TRUE && (!x.claim.scheme || x.claim.version == STATEMENT_NEWEST_VERSION))
             r->result = EXIT_BAD_INPUT;
     }

@@ -129,9 +129,9 @@ static const char *level_colour(int level)
     return colours[level < last ? level : last];
 }
 
-static void leaf_attributes(char *text, size_t size, const picture_leaf *leaf, bool signs, const char *id)
+static void leaf_attributes(char *text, size_t size, const picture_leaf *leaf, bool by_level, const char *id)
 {
-    if (!signs)
+    if (by_level)
         snprintf(text, size, "fill=\"%s\"", level_colour(leaf->level));
     else if (sign_of(leaf) < 0)
         snprintf(text, size, "fill=\"url(#%s-negative)\"", id);
@@ -152,7 +152,7 @@ static void elements(buffer *z, const view *v, const char *id)
             char attributes[96];
             if (sign != (signs ? sign_of(&leaves->leaf[i]) : 1))
                 continue;
-            leaf_attributes(attributes, sizeof attributes, &leaves->leaf[i], signs, id);
+            leaf_attributes(attributes, sizeof attributes, &leaves->leaf[i], v->picture->tree.count > 0, id);
             outline(z, v, &leaves->leaf[i], attributes);
         }
     svg_end_group(z);

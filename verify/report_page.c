@@ -11,7 +11,7 @@ static const char style[] =
     "h1 { font-size: 1.6em; margin-bottom: 0.2em } h2 { font-size: 1.15em; margin-top: 2em }\n"
     "table { border-collapse: collapse; font-size: 0.85em; font-family: Helvetica, Arial, 'DejaVu Sans', sans-serif }\n"
     "th, td { padding: 0.15em 0.7em; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap }\n"
-    "td.text, th.text { text-align: left; white-space: normal } td.remark { min-width: 14em }\n"
+    "td.text, th.text { text-align: left; white-space: normal } td.remark:not(:empty) { min-width: 14em }\n"
     "td.proved { border-left: 4px solid #0072b2 } td.refuted { border-left: 4px solid #d55e00 } td.undecided { border-left: 4px solid #f0e442 }\n"
     "pre { background: #f4f4f4; padding: 0.8em 1em; overflow-x: auto; font-size: 0.8em }\n"
     "figure { margin: 1.5em 0; break-inside: avoid } figcaption { font-size: 0.85em; max-width: 50em }\n"

@@ -181,7 +181,7 @@ report_status report_read(report *z, const char *path)
         result = REPORT_NO_MEMORY;
     for (size_t i = 0; result == REPORT_OK && i < z->view.index.count; i++)
         result = add_entry(z, &z->view.index.entry[i]);
-    if (result == REPORT_OK && !archive_view_is_indexed(&z->view)) {
+    if (result == REPORT_OK && !z->view.is_indexed) {
         snprintf(z->complaint, sizeof z->complaint, "%.300s: the index does not say what is there; run the same 'smoothcert prove' again, which goes on and writes it, or 'smoothcert archive verify'", path);
         return REPORT_BAD_INPUT;
     }
@@ -271,8 +271,8 @@ static void note_choices(report_entry *e, const choices *c)
     e->frequency = c->frequency;
     e->grid = c->grid;
     e->plainly_regular = c->plainly_regular;
-    if (claim_is_exact(c->claim))
-        e->log.others = NAN; /* equal ones are no bound */
+    if (claim_is_exact(c->claim) || !is_one_valence(c->k))
+        e->log.others = NAN; /* equal ones are no bound, and that of a range is not one for each valence's L */
     e->radius = c->plainly_regular || claim_is_exact(c->claim) ? NAN : ldexp(integer_get_double_approx(&c->eigenpair.radius), -(int)c->grid);
     for (int i = 0; i < 2 && c->claim == CLAIM_FOLD && e->picture.taken && e->picture.with_net; i++)
         e->witness[i] = find_witness(&e->picture, &c->witness[i]);

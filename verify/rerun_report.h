@@ -20,6 +20,7 @@ verdict rerun_verdict(const rerun *r);
 bool rerun_is_contradiction(const rerun *r);
 
 void rerun_print_line(const rerun *r);
-void rerun_print_json(const rerun *r);
+/* Appends an object. */
+void rerun_print_json(buffer *b, const rerun *r);
 
 #endif

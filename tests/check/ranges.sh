@@ -66,9 +66,9 @@ endless rise-none 1 'rise: it does not go on' 's/^rise 5f503a89f07/rise 0/'
 endless rise-wide 1 'Krawczyk' 's/^rise a5294a5294b/rise 400000000000/'
 endless rise-large 2 '2^47' 's/^rise a5294a5294b/rise 800000000001/'
 endless rise-negative 2 '2^47' 's/^rise a5294a5294b/rise -1/'
-endless block-2 1 'block: expected' 's/^block 1 1 .*/&\
+endless block-2 1 'expected .cover' 's/^block 1 1 .*/&\
 block 2 2 9/'
-endless block-1-missing 1 'block: ' '/^block 1 1/d'
+endless block-1-missing 1 'expected .block' '/^block 1 1/d'
 endless block-0-power 1 'block 0 are not proved' 's/^block 0 0 .*/block 0 0 0/'
 endless cover-missing 1 'expected .cover' '/^cover/d'
 endless cover-last-missing 1 'cover: it ends too early' '/^cover 2 inf 800000000000/d'
@@ -76,12 +76,12 @@ endless cover-hole 1 'cover: the other' '/^cover 2 inf 27bdef7bdef8/d'
 endless cover-last-short 1 'cover: it ends too early' 's/^cover 2 inf 800000000000/cover 2 inf 7fffffffffff/'
 endless cover-last-beyond 2 '2^47' 's/^cover 2 inf 800000000000/cover 2 inf 800000000001/'
 endless cover-backward 1 'cover: it does not go on' 's/^cover 2 inf 27bdef7bdef8/cover 2 inf a5294a5294a/'
-endless cover-twice 1 'cover: all is covered' 's/^cover 2 inf 800000000000 .*/&\
+endless cover-twice 1 'cover: expected no further' 's/^cover 2 inf 800000000000 .*/&\
 &/'
 endless cover-standing 1 'cover: it does not go on' 's/^cover 2 inf 27bdef7bdef8 .*/&\
 &/'
 endless cover-number 1 'cover: ' 's/^cover 2 inf/cover 2 1000/'
-endless cover-from-3 1 'cover: expected the frequencies from 2' 's/^cover 2 inf/cover 3 inf/'
+endless cover-from-3 1 'cover: expected frequencies from 2' 's/^cover 2 inf/cover 3 inf/'
 endless cover-mixed 1 'too early' 's/^cover 2 inf 8/cover 2 500 8/'
 endless cover-power 1 'cover: the other' 's/^\(cover 2 inf 27bdef7bdef8\) .*/\1 0/'
 endless eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue 8/'
@@ -113,9 +113,9 @@ groups nothing 0 '^verified: loop is C1 at valences 20..30 ' ''
 groups in-one 1 ':33: cover: ' '/^cover [3-9]/d
 /^cover 1/d
 s/^cover 2 2 .*/cover 2 15 800000000000 9/'
-groups gap 1 'cover: expected the frequencies from 6' '/^cover 6 6/d'
-groups overlap 1 'cover: expected the frequencies from 7' 's/^cover 7 7/cover 6 7/'
-groups order 1 'cover: expected the frequencies from 6' '/^cover 6 6/{
+groups gap 1 'cover: expected frequencies from 6' '/^cover 6 6/d'
+groups overlap 1 'cover: expected frequencies from 7' 's/^cover 7 7/cover 6 7/'
+groups order 1 'cover: expected frequencies from 6' '/^cover 6 6/{
 N
 s/^\(.*\)\n\(.*\)$/\2\
 \1/
@@ -124,7 +124,7 @@ groups backward 1 'cover: expected' 's/^cover 6 6/cover 6 5/'
 groups end 1 'cover: it ends too early' '/^cover 15 15/d'
 groups beyond 0 '^verified' 's/^cover 15 15/cover 15 1000/'
 groups beyond-inf 0 '^verified' 's/^cover 15 15/cover 15 inf/'
-groups beyond-and-more 1 'cover: all is covered' 's/^cover 15 15 .*/&\
+groups beyond-and-more 1 'cover: expected no further' 's/^cover 15 15 .*/&\
 cover 16 16 800000000000 0/'
 groups place 1 'cover: the lines' 's/^cover 6 6 4ccccccccccd/cover 6 6 4ccccccccccc/'
 groups rounding 0 '^verified' 's/^cover 6 6 4ccccccccccd/cover 6 6 4ccccccccccf/'
@@ -135,6 +135,106 @@ groups early 1 'cover: it does not go on' 's/^cover 6 6 4ccccccccccd/cover 6 6 1
 lie catmull-clark-40-60 catmull-clark 40..60 nothing 0 '^verified: catmull-clark is C1 at valences 40..60' ''
 lie catmull-clark-40-60 catmull-clark 40..61 more 1 '' 's/^valence 40 60/valence 40 61/'
 lie catmull-clark-40-60 catmull-clark 40..60 eigenvector 1 'Krawczyk' 's/^eigenvector ./eigenvector 9/'
+
+# Block 0 that tends to block 1
+
+limit() { lie catmull-clark-160-inf catmull-clark 160..inf "$@"; }
+limit nothing 0 '^verified: catmull-clark is C1 at valences 160..inf' ''
+lie catmull-clark-160-inf catmull-clark 160..1000 finite 1 'expected .block' 's/^valence 160 inf/valence 160 1000/'
+lie catmull-clark-160-inf catmull-clark 150..inf earlier 1 'Krawczyk' 's/^valence 160/valence 150/'
+limit power 1 'limit: the other' 's/^limit .*/limit 0/'
+limit eigenvalue 1 ':[0-9]*: radius: the Krawczyk' '/^limit/,/^block/s/^eigenvalue a/eigenvalue b/'
+limit range 1 'range: it is smaller' '/^limit/,/^block/s/^range .*/range 1/'
+limit and-block-0 1 'block: expected .block 1 1' 's/^block 1 1.*/block 0 0 9\
+&/'
+limit as-block-0 1 'block 0' '/^limit/,/^block/{
+/^block/!d
+s/^/block 0 0 20\
+/
+}'
+# Loop's centre does not come to rest.
+endless limit 1 'limit: a weight of the centre is no polynomial' '/^pivot/,/^block 0/{
+/^block 0/!H
+}
+/^block 0 0/{
+s/.*/limit 1/
+G
+s/\n\n/\
+/
+}'
+
+# Refutations at one frequency
+
+# denial CERTIFICATE SCHEME-FILE VALENCES NAME STATUS PATTERN SED-COMMAND
+denial() {
+  sed -e '/^records/,$d' -e "$7" "$here/$1.cert" >body
+  finish body lie.cert
+  CLAIM=not-c1 claim "$1-$4" "$5" "$6" "$2" "$3" lie.cert
+}
+cup() { denial centre-above-3-4 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" 3..4 "$@"; }
+cup nothing 0 '^verified: centre-above is not C1 at valences 3..4 (frequency 0: 0.499999999 <= |L| <= 0.500000001)$' ''
+cup more 1 'valence: expected' 's/^valence 3 4/valence 3 5/'
+cup form 1 'form' 's/^form plain/form real/'
+cup block-1 1 'expected .cover' 's/^block 0 0 .*/&\
+block 1 1 9/'
+cup cover-1-missing 1 'cover: expected frequencies from 1' '/^cover 1 1/d'
+cup cover-2-missing 1 'cover: it ends too early' '/^cover 2 2/d'
+cup growth 1 'not proved to be larger than 1' 's/^reason frequency/reason not-c0/
+/^block/d
+/^cover/d
+s/^boundary.*/witness 0 -/'
+cup fold 1 'frequency' 's/^reason frequency/reason fold/'
+cup boundary 1 'boundary: ' 's/^boundary .*/boundary 0/'
+cup window 1 'form' 's/^frequency 0/frequency window/'
+cup range 1 'range: it is smaller' 's/^range .*/range 1/'
+denial centre-above-3-4 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" 3..6 beyond 1 'block 1\|cover' 's/^valence 3 4/valence 3 6/'
+
+growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
+growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
+growth 3..inf from-3 0 '^verified: centre-divergent is not C1 at valences 3..inf ' 's/^valence 5/valence 3/'
+growth 5..inf frequency-reason 1 '' 's/^reason not-c0/reason frequency/'
+growth 5..inf frequency-2 1 'form' 's/^frequency 0/frequency 2/'
+growth 5..inf frequency-3 1 'frequency' 's/^frequency 0/frequency 3/'
+growth 5..inf eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
+growth 5..inf witness 1 'witness' 's/^witness \([0-9]*\) .*/witness 1000 -/'
+growth 5..inf cover 1 'expected .witness' 's/^witness.*/cover 1 inf 800000000000 9\
+&/'
+
+# A window of frequencies: Butterfly from 25 on
+
+wave() { denial butterfly-25-inf "$catalogue/butterfly.scheme" 25..inf "$@"; }
+wave nothing 0 '^verified: butterfly is not C1 at valences 25..inf (a window of frequencies: 0.502206842 <= |L| <= ' ''
+denial butterfly-25-inf "$catalogue/butterfly.scheme" 24..inf wider 1 'window: it is not proved that the largest' 's/^valence 25/valence 24/'
+denial butterfly-25-inf "$catalogue/butterfly.scheme" 25..90 fewer 0 '^verified' 's/^valence 25 inf/valence 25 90/'
+wave frequency 1 'expected .pivot' 's/^frequency window/frequency 5/'
+wave fold 1 'decimal' 's/^reason frequency/reason fold/'
+wave not-c0 1 'decimal' 's/^reason frequency/reason not-c0/'
+wave words 1 'no more values' 's/^frequency window/frequency window 5/'
+wave form 1 'form' 's/^form real/form plain/'
+wave window-early 1 'window: it begins too early' 's/^window .*/window a3d70a3d70a/'
+wave window-not-too-early 1 'Krawczyk' 's/^window .*/window a3d70a3d70b/'
+wave window-late 1 'wave: it does not go on' 's/^window .*/window 600000000000/'
+wave bound-0 1 'bound' 's/^bound .*/bound 0/'
+wave bound-negative 1 'bound' 's/^bound /bound -/'
+wave bound-large 1 'window: it is not proved that the largest' 's/^bound ./bound 9/'
+wave bound-one 1 'window: it is not proved that the largest' 's/^bound .*/bound 10000000000000000/'
+wave bound-small 1 '\(cover\|wave\): the other' 's/^bound ./bound 7/'
+wave wave-first-missing 1 'Krawczyk' '0,/^boundary/{
+/^wave/,/^boundary/d
+}'
+wave cover-missing 1 'expected .cover' '/^cover/d'
+wave cover-last-missing 1 'window: not all' '/^cover 1 inf 800000000000/d'
+wave cover-over-window 1 'without the window' 's/^cover 1 inf 28b9af72015d/cover 1 inf 28b9af72015e/'
+wave cover-frequency 1 'cover: expected .cover 1 inf' 's/^cover 1 inf 8/cover 2 inf 8/'
+wave cover-number 1 'cover: expected .cover 1 inf' 's/^cover 1 inf 8/cover 1 100 8/'
+wave block-0 1 'block 0 are not proved' 's/^block 0 0 .*/block 0 0 0/'
+wave block-1 1 'expected .cover' 's/^block 0 0 .*/&\
+block 1 1 9/'
+wave boundary-leaf 1 'boundary: a leaf' 's/^boundary .*/boundary 0000/'
+wave boundary-letter 1 'word' 's/^boundary ./boundary 2/'
+wave range 1 'range: it is smaller' 's/^range .*/range 1/'
+wave more 1 'expected .records' 's/^cover 1 inf 800000000000 .*/&\
+witness 0 -/'
 
 # Rules
 

@@ -10,6 +10,7 @@
 #include "../../verify/check/rational.c"
 #include "../../verify/check/grid.c"
 #include "../../verify/check/trig.c"
+#include "../../verify/check/affine.c"
 #include "../../verify/check/text.c"
 #include "../../verify/check/formula.c"
 #include "../../verify/check/value.c"

@@ -300,6 +300,7 @@ answer usage-large 2 'valence' --scheme "$scheme" --valence 99999999999999999999
 answer usage-not-c1 1 'expected not-c1' --scheme "$scheme" --valence 7 --claim not-c1 "$good"
 answer usage-claim 2 'claim' --scheme "$scheme" --valence 7 --claim c2 "$good"
 answer usage-set 2 'set' --scheme "$scheme" --set w=1/16 --valence 7 --claim c1 "$good"
+answer usage-set-alone 2 'expected NAME=VALUE' --scheme "$scheme" --set w --valence 7 --claim c1 "$good"
 answer usage-help 0 'Usage' --help
 answer usage-version 0 'smoothcert-check' --version
 answer usage-end 0 '^verified' --scheme "$scheme" --valence 7 --claim c1 -- "$good"

@@ -65,17 +65,18 @@ scenario() { # NAME STATUS ARGUMENT...
   verdicts output >expected
 }
 
-# Commands that only look: all of their answer, or an error.
+# Commands that only look: all of their answer, or an error.  (Where memory is short for a moment, rerun may find other choices.)
 reader() { # NAME KIND ERROR STEP ARGUMENT...
   name=$1 kind=$2 error=$3 step=$4
   shift 4
-  "$SMOOTHCERT" "$@" >expected 2>stderr
+  "$SMOOTHCERT" "$@" >whole 2>stderr
+  sed 's/; grid.*//' whole >expected
   n=1
   while :; do
     faulty FAULTS_FAIL="$kind:$n:$error" FAULTS_COUNT=count "$@" >output 2>stderr
     status=$?
     case $status in
-      0) cmp -s output expected || { echo "FAIL failing-$name-$kind-$n: exit status 0 with another answer"; return; } ;;
+      0) sed 's/; grid.*//' output | cmp -s - expected || { echo "FAIL failing-$name-$kind-$n: exit status 0 with another answer"; return; } ;;
       71 | 74) [ -s stderr ] || { echo "FAIL failing-$name-$kind-$n: no message"; return; } ;;
       *) echo "FAIL failing-$name-$kind-$n: exit status $status: $(cat stderr)"; return ;;
     esac

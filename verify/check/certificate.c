@@ -173,13 +173,13 @@ static int64_t read_decimal_record(struct certificate *c, const char *name, int6
     return value;
 }
 
-/* Is the next record of this name? */
+/* Does the next line begin with this name, or is it this? */
 static bool next_is(const struct certificate *c, const char *name)
 {
     size_t length = strlen(name);
 
     return (size_t)(c->end - c->next) > length && memcmp(c->next, name, length) == 0 &&
-           c->next[length] == ' ';
+           (c->next[length] == ' ' || c->next[length] == '\n');
 }
 
 /* The subject
@@ -247,7 +247,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->text = text;
     out->next = text;
     out->end = text + size;
-    out->regularity = out->boundary = "";          /* refutations may have none */
+    out->regularity.word = out->boundary.word = "";  /* refutations may have none */
     out->line = 1;
     read_version(out);
     read_scheme_text(out);
@@ -270,7 +270,7 @@ static void read_form(struct certificate *c)
         rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
                  "frequency 0 `plain`");
     c->real = choice != 1;
-    if (span_is_several(c->valence) && choice != 0)
+    if (span_is_several(c->valence) && choice == 1)
         rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
 }
 
@@ -278,12 +278,22 @@ static void read_reason(struct certificate *c)
 {
     static const char *const reason[] = { "frequency", "not-c0", "fold" };
     int choice = read_choice_record(c, "reason", reason, 3, &c->line_of.reason), line;
+    struct record r;
+    size_t size;
 
     if (choice == 3)
         rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0` or "
                  "`fold`");
     c->reason = (enum reason)(REASON_FREQUENCY + choice);
-    c->frequency = read_decimal_record(c, "frequency", 0, MAX_VALENCE_1, &line);
+    if (span_is_several(c->valence) && c->reason == REASON_FREQUENCY &&
+        next_is(c, "frequency window"))
+        c->frequency = -1;
+    r = begin_noted(c, "frequency", &line);
+    if (c->frequency < 0)
+        next_token(&size, &r);                     /* `window` */
+    else
+        c->frequency = read_decimal(&r, 0, MAX_VALENCE_1);
+    end_record(&r);
     if (2 * c->frequency >= c->valence.first ||
         (c->reason == REASON_FREQUENCY && c->frequency == 1) ||
         (c->reason == REASON_FOLD && c->frequency != 1))
@@ -347,7 +357,7 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
 
 static void check_total_power(const struct certificate *c)
 {
-    int total = 0;                                 /* at most 11002 * MAX_POWER */
+    int total = c->limit.record.power;             /* at most 11003 * MAX_POWER */
 
     for (int i = 0; i < c->blocks; i++)
         total += c->block[i].power;
@@ -375,10 +385,42 @@ static void read_powers_0(struct certificate *c)
     end_record(&r);
 }
 
-/* 0; 1; then without gaps up to floor(k/2), of several valences no more. */
+/* `limit P` with its eigenpair */
+static void read_limit(struct certificate *c)
+{
+    c->has_limit = true;
+    c->limit.record.m = span_of(0);
+    c->limit.record.power = (int)read_decimal_record(c, "limit", 0, MAX_POWER,
+                                                     &c->limit.record.line);
+    read_eigenpair(&c->limit.pair, c);
+}
+
+/* Of several valences: 0, and the eigenpair's frequency. */
+static void read_two_blocks(struct certificate *c)
+{
+    const int64_t m[2] = { 0, c->frequency };
+
+    c->block = allocate(2, sizeof c->block[0]);
+    if (c->claim == CLAIM_C1 && c->valence.last == ENDLESS && next_is(c, "limit"))
+        read_limit(c);
+    for (int i = c->has_limit ? 1 : 0; i < (c->frequency > 0 ? 2 : 1); i++) {
+        struct record r = begin_noted(c, "block", &c->block[i].line);
+
+        c->block[i].m.first = read_decimal(&r, 0, MAX_VALENCE_1);
+        c->block[i].m.last = read_decimal(&r, 0, MAX_VALENCE_1);
+        c->block[i].power = (int)read_decimal(&r, 0, MAX_POWER);
+        end_record(&r);
+        if (c->block[i].m.first != m[i] || c->block[i].m.last != m[i])
+            rejected(c->file, r.line, "block: expected `block %lld %lld`", (long long)m[i],
+                     (long long)m[i]);
+        c->blocks = i + 1;
+    }
+}
+
+/* 0; 1; then without gaps up to floor(k/2). */
 static void read_blocks(struct certificate *c)
 {
-    int64_t next = 0, half = span_is_several(c->valence) ? 1 : c->valence.first / 2;
+    int64_t next = 0, half = c->valence.first / 2;
 
     c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
     while (c->blocks == 0 || next_is(c, "block")) {
@@ -403,6 +445,17 @@ static void read_blocks(struct certificate *c)
                  (long long)next);
 }
 
+static void read_trees(struct trees *out, struct certificate *c, const char *name)
+{
+    struct record r = begin_noted(c, name, &out->line);
+
+    out->word = read_word(&out->size, &r);
+    end_record(&r);
+    c->letters += out->size;
+    if (c->letters > MAX_ELEMENTS)
+        cannot_check_at(c->file, out->line, 0, "expected at most %d elements", MAX_ELEMENTS);
+}
+
 /* Q in 0..2^47 */
 static int64_t read_q(struct record *r)
 {
@@ -424,20 +477,25 @@ static void count_record(int *count, int limit, const struct certificate *c,
                         name);
 }
 
-static void read_rises(struct certificate *c)
+/* `rise` or `wave` */
+static void read_rises(struct certificate *c, bool wave)
 {
+    const char *name = wave ? "wave" : "rise";
+
     c->rise = allocate(MAX_RISES, sizeof c->rise[0]);
-    while (next_is(c, "rise")) {
+    while (next_is(c, name)) {
         struct rise *rise = &c->rise[c->rises];
         struct record r;
 
-        count_record(&c->rises, MAX_RISES, c, "rise");
-        r = begin_noted(c, "rise", &rise->record.line);
+        count_record(&c->rises, MAX_RISES, c, name);
+        r = begin_noted(c, name, &rise->record.line);
         rise->q = read_q(&r);
-        rise->record.m = (struct span) { 1, ENDLESS };
+        rise->record.m = (struct span) { wave ? 2 : 1, ENDLESS };
         rise->record.power = (int)read_decimal(&r, 0, MAX_POWER);
         end_record(&r);
         read_eigenpair(&rise->pair, c);
+        if (wave)
+            read_trees(&rise->boundary, c, "boundary");
     }
 }
 
@@ -459,17 +517,6 @@ static void read_covers(struct certificate *c)
     }
 }
 
-static void read_trees(struct certificate *c, const char *name, const char **word,
-                       size_t *size, int *line)
-{
-    struct record r = begin_noted(c, name, line);
-
-    *word = read_word(size, &r);
-    end_record(&r);
-    if (c->regularity_size + c->boundary_size > MAX_ELEMENTS)
-        cannot_check_at(c->file, *line, 0, "expected at most %d elements", MAX_ELEMENTS);
-}
-
 static void read_decisions(struct certificate *c)
 {
     struct record r = begin_noted(c, "halfplane", &c->line_of.halfplane);
@@ -481,9 +528,31 @@ static void read_decisions(struct certificate *c)
             rejected(c->file, r.line, "halfplane: expected a small number");
     }
     end_record(&r);
-    read_trees(c, "regularity", &c->regularity, &c->regularity_size,
-               &c->line_of.regularity);
-    read_trees(c, "boundary", &c->boundary, &c->boundary_size, &c->line_of.boundary);
+    read_trees(&c->regularity, c, "regularity");
+    read_trees(&c->boundary, c, "boundary");
+}
+
+/* What proves the rest at several valences. */
+static void read_ranges(struct certificate *c)
+{
+    read_two_blocks(c);
+    if (c->claim == CLAIM_C1)
+        read_rises(c, false);
+    read_covers(c);
+}
+
+/* A window of frequencies. */
+static void read_window(struct certificate *c)
+{
+    struct record r = begin_noted(c, "window", &c->line_of.window);
+    int line;
+
+    c->window = read_q(&r);
+    end_record(&r);
+    read_hex_record(&c->bound, 1, c, "bound", c->grid + BITS_ABOVE_GRID, &line);
+    if (c->bound.sign <= 0)
+        rejected(c->file, line, "bound: it is not positive");
+    read_rises(c, true);
 }
 
 /* `witness D P`: P digits from 0 to 3, or `-` */
@@ -505,7 +574,7 @@ static void read_witness(struct certificate *c)
 static void read_refutation(struct certificate *c)
 {
     if (c->reason == REASON_FREQUENCY)
-        read_trees(c, "boundary", &c->boundary, &c->boundary_size, &c->line_of.boundary);
+        read_trees(&c->boundary, c, "boundary");
     if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD)
         read_witness(c);
     if (c->reason == REASON_FOLD)
@@ -519,19 +588,20 @@ void certificate_read_choices(struct certificate *out, int n)
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
         cannot_check("%s: blocks of %d unknowns", out->file, out->size);
-    read_eigenpair(&out->pair, out);
+    if (out->frequency < 0)
+        read_window(out);
+    else
+        read_eigenpair(&out->pair, out);
     if (out->version == 0)
         read_powers_0(out);
+    else if (out->reason != REASON_NOT_C0 && span_is_several(out->valence))
+        read_ranges(out);
     else if (out->reason != REASON_NOT_C0)
         read_blocks(out);
-    if (span_is_several(out->valence)) {
-        read_rises(out);
-        read_covers(out);
-    }
     check_total_power(out);
     if (out->claim == CLAIM_C1)
         read_decisions(out);
-    else
+    else if (out->frequency >= 0)
         read_refutation(out);
 }
 

@@ -33,11 +33,20 @@ struct choices {
     } line_of;
 };
 
-/* Of several valences: `rise Q P` with its eigenpair, and `cover D D Q P`. */
+/* A word of trees. */
+struct trees {
+    const char *word;
+    size_t size;
+    int line;
+};
+
+/* Of several valences: `rise Q P` (`wave Q P`) with its eigenpair (and `boundary`), and
+ * `cover D D Q P`. */
 struct rise {
     int64_t q;                                     /* in units of 2^-48 */
-    struct block_record record;                    /* m: 1..ENDLESS */
+    struct block_record record;                    /* m: 1..ENDLESS; wave: from 2 on */
     struct choices pair;
+    struct trees boundary;
 };
 
 struct cover {
@@ -67,7 +76,9 @@ struct certificate {
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
     enum reason { REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD } reason;
-    int64_t frequency;                             /* m of the eigenpair; c1: 1 */
+    int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
+    int64_t window;                                /* window from there on, 2^-48; */
+    integer bound;                                 /* with this R */
     bool real;                                     /* the form; also `plain` */
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
@@ -76,16 +87,18 @@ struct certificate {
     struct block_record *block;
     struct rise *rise;
     struct cover *cover;
+    bool has_limit;                                /* in place of block 0 */
+    struct rise limit;                             /* without Q */
     int64_t normal[2];
     bool has_splines;                              /* 2 is a letter */
-    const char *regularity, *boundary;             /* words over {0,1,2} */
-    size_t regularity_size, boundary_size;
+    struct trees regularity, boundary;             /* words over {0,1,2} */
+    size_t letters;                                /* of all words of trees */
     int witnesses;
     struct witness witness[2];
 
     struct {                                       /* for messages */
         int scheme, claim, valence, grid, contraction, stability, reason, form;
-        int halfplane, regularity, boundary;
+        int window, halfplane;
     } line_of;
 
     const char *text, *end, *next;                 /* still to be read: next */

@@ -150,6 +150,11 @@ static void prepare_basis(struct refinable *f, const struct spline *s,
                                       &f->window[kind], g);
 }
 
+static bool has_letter(const struct trees *t, char letter)
+{
+    return t->size > 0 && memchr(t->word, letter, t->size) != NULL;
+}
+
 static void prepare_bases(struct characteristic *out, const struct mask *mask, int g,
                           const struct certificate *c)
 {
@@ -159,9 +164,9 @@ static void prepare_bases(struct characteristic *out, const struct mask *mask, i
         return;
     s1 = spline_derivative(&s, 0);
     s2 = spline_derivative(&s, 1);
-    if (c->boundary_size > 0 && memchr(c->boundary, '2', c->boundary_size) != NULL)
+    if (has_letter(&c->boundary, '2'))
         prepare_basis(&out->value, &s, out, true, g);
-    if (c->regularity_size > 0 && memchr(c->regularity, '2', c->regularity_size) != NULL) {
+    if (has_letter(&c->regularity, '2')) {
         prepare_basis(&out->first, &s1, out, false, g);
         prepare_basis(&out->second, &s2, out, false, g);
     }

@@ -10,7 +10,7 @@
 #include "spectrum.h"
 #include "stability.h"
 #include "text.h"
-#include "valences.h"
+#include "window.h"
 
 #include <string.h>
 
@@ -210,42 +210,16 @@ static void check_nonnegative(const struct statement *s, const struct certificat
 {
     for (int i = 0; i < 3; i++)
         if (!mask_is_nonnegative(&s->q[i]))
-            rejected(c->file, c->line_of.regularity, "regularity: version 0 needs "
+            rejected(c->file, c->regularity.line, "regularity: version 0 needs "
                      "non-negative masks for values and derivatives");
 }
 
 /* Sections 5 and 6
  * ---------------- */
 
-/* Of block 0 what is left beside the constant net: the plain form of section 10. */
-static interval *without_constants(const interval *b, int n)
+static interval *constants(const struct affine *matrix, int size)
 {
-    interval *out = allocate((size_t)(n - 1) * (size_t)(n - 1), sizeof out[0]);
-
-    for (int i = 1; i < n; i++)
-        for (int j = 1; j < n; j++)
-            out[(i - 1) * (n - 1) + j - 1] = interval_sub(b[i * n + j], b[j]);
-    return out;
-}
-
-/* The net's unknowns from the box of differences y:
- * x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
-static struct affine *with_constants(const struct affine *y, struct affine l,
-                                     const interval *b, int n, int g)
-{
-    struct affine *out = allocate((size_t)n, sizeof out[0]), sum = affine_from_whole(0, g);
-
-    for (int j = 1; j < n; j++)
-        affine_add_multiple(&sum, b[j], &y[j - 1], g);
-    out[0] = affine_div(sum, affine_sub(l, affine_from_whole(1, g)), g);
-    for (int i = 1; i < n; i++)
-        out[i] = affine_add(y[i - 1], out[0]);
-    return out;
-}
-
-static interval *matrix_of(const struct block *block)
-{
-    return affine_constants(block_matrix(block), (size_t)block->size * (size_t)block->size);
+    return affine_constants(matrix, (size_t)size * (size_t)size);
 }
 
 /* The rest: all blocks, with `matrix` for that of L, which comes first. */
@@ -267,7 +241,8 @@ static void check_rest(const struct block *block, const interval *matrix,
         if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
             m.first--;                             /* a box of its own is too long */
         block_prepare(&other, &v, c->frequency == 0 ? v.scheme->mirrored : c->real, m);
-        spectrum_prove_rest(matrix_of(&other), other.size, c->grid, pair, &c->block[i], c);
+        spectrum_prove_rest(constants(block_matrix(&other), other.size), other.size,
+                            c->grid, pair, &c->block[i], c);
         scratch_release(mark);
     }
 }
@@ -277,15 +252,14 @@ static void check_rest(const struct block *block, const interval *matrix,
 static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
-    interval *b = matrix_of(block), *matrix = b;
-    struct eigenpair pair;
+    struct affine *b = block_matrix(block);
+    const interval *matrix = constants(block->plain ? spectrum_without_constants(b, block->n)
+                                                    : b, c->size);
+    struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
 
-    if (block->plain)
-        matrix = without_constants(b, block->n);
-    pair = spectrum_prove_eigenpair(matrix, c->grid, c);
     check_rest(block, matrix, &pair, c);
     if (block->plain)
-        pair.unknowns = with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
+        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
     return pair;
 }
 
@@ -322,6 +296,15 @@ static void decide(const struct characteristic *characteristic, const struct cer
     }
 }
 
+static struct verified check_window(const struct statement *s, const struct valence *v,
+                                    const struct certificate *c)
+{
+    struct verified out = { .frequency = -1, .g = c->grid };
+
+    out.eigenvalue = window_prove(v, s->q, c);
+    return out;
+}
+
 static struct verified check_choices(struct statement *s, struct certificate *c)
 {
     struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
@@ -334,7 +317,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
     out.plainly_regular = v->plainly_regular && c->version > 0;
-    if (s->not_c1 && (c->version == 0 || out.plainly_regular || several))
+    if (s->not_c1 && (c->version == 0 || out.plainly_regular))
         rejected(c->file, c->line_of.claim, "claim: there is no such certificate");
     certificate_read_form(c, out.plainly_regular);
     if (out.plainly_regular) {
@@ -342,11 +325,11 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_contraction(s, c);
         return out;
     }
-    if (c->real && c->frequency > 0 && !s->scheme.mirrored)
+    if (c->real && (c->frequency != 0 || several) && !s->scheme.mirrored)
         rejected(c->file, c->line_of.form,
                  "form: the scheme is not evidently mirror-symmetric");
     if (several)
-        valences_prepare_block(&block, v);
+        valences_prepare_block(&block, v, c->frequency);
     else
         block_prepare(&block, v, c->real, span_of(c->frequency));
     certificate_read_choices(c, block.plain ? block.n - 1 : block.n);
@@ -355,6 +338,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     check_contraction(s, c);
     if (c->version > 0)
         check_stability(s, c);
+    if (c->frequency < 0)
+        return check_window(s, v, c);
     pair = several ? valences_prove_spectrum(&block, c) : check_spectrum(&block, c);
     if (c->version == 0)
         check_nonnegative(s, c);

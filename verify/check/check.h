@@ -13,7 +13,7 @@ struct statement *statement_new(const char *scheme_file, struct setting *setting
 
 struct verified {
     bool plainly_regular, real;
-    int64_t frequency;                             /* m */
+    int64_t frequency;                             /* m; -1: a window of frequencies */
     interval eigenvalue;                           /* L or |L|, on the grid g */
     int g;
 };

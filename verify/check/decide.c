@@ -331,9 +331,9 @@ static struct tree regularity_tree(const struct characteristic *c,
 {
     struct tree out = {
         .c = c, .certificate = certificate,
-        .name = "regularity", .line = certificate->line_of.regularity,
-        .next = certificate->regularity,
-        .end = certificate->regularity + certificate->regularity_size,
+        .name = "regularity", .line = certificate->regularity.line,
+        .next = certificate->regularity.word,
+        .end = certificate->regularity.word + certificate->regularity.size,
         .functions = 2, .f = { &c->first, &c->second },
         .decide = jacobian_is_positive,
         .decide_coefficients = jacobian_coefficients_are_positive
@@ -347,9 +347,9 @@ static struct tree boundary_tree(const struct characteristic *c,
 {
     struct tree out = {
         .c = c, .certificate = certificate,
-        .name = "boundary", .line = certificate->line_of.boundary,
-        .next = certificate->boundary,
-        .end = certificate->boundary + certificate->boundary_size,
+        .name = "boundary", .line = certificate->boundary.line,
+        .next = certificate->boundary.word,
+        .end = certificate->boundary.word + certificate->boundary.size,
         .functions = 1, .f = { &c->value },
         .decide = half_plane_contains,
         .decide_coefficients = half_plane_contains_coefficients

@@ -25,12 +25,15 @@ CHECK_SOURCES = \
   verify/check/sector.h verify/check/sector.c \
   verify/check/spectrum.h verify/check/spectrum.c \
   verify/check/slopes.h verify/check/slopes.c \
+  verify/check/laurent.h verify/check/laurent.c \
+  verify/check/limit.h verify/check/limit.c \
   verify/check/valences.h verify/check/valences.c \
   verify/check/element.h verify/check/element.c \
   verify/check/spline.h verify/check/spline.c \
   verify/check/influence.h verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
+  verify/check/window.h verify/check/window.c \
   verify/check/check.h verify/check/check.c \
   verify/check/claim.h verify/check/claim.c \
   verify/check/folder.h verify/check/folder.c \

@@ -31,6 +31,9 @@
  *     spectrum        section 6, the spectrum
  *     slopes          eigenpairs of several valences    (certificate-valences.md)
  *     valences        the spectrum of several valences  (certificate-valences.md)
+ *     laurent         polynomials in k and 1/k          (certificate-valences.md)
+ *     limit           block 0 as k grows                (certificate-valences.md)
+ *     window          a window of frequencies           (certificate-valences.md)
  *     element         section 7, elements, windows, rings
  *     spline          section 7, limits that are polynomials
  *     influence       section 7, how far rules matter   (lib/ring.md)
@@ -211,7 +214,9 @@ static void print_verified(const char *scheme, bool not_c1, struct span k,
         printf("plainly regular)\n");
         return;
     }
-    if (not_c1)
+    if (not_c1 && v->frequency < 0)
+        printf("a window of frequencies: ");
+    else if (not_c1)
         printf("frequency %lld: ", (long long)v->frequency);
     print_decimal(v->eigenvalue.lo, false, v->g);
     printf(" %s %s %s ", less, name, less);

@@ -195,7 +195,7 @@ static struct pair value_by_rule(const struct net *old, const struct block *bloc
                       : net_value(old, block, t->source->a, t->source->b);
 
         if (block->plain)
-            affine_add_multiple(&sum.x, t->m[0].c, &v.x, g);
+            sum.x = affine_add(sum.x, affine_mul(t->m[0], v.x, g));
         else
             add_pair(&sum, apply_matrix(t->m, v, g));
     }
@@ -359,10 +359,10 @@ static void spectrum_matrix(struct affine m[4], const struct source *s,
 static bool make_term(struct term *out, const struct weighted *w,
                       const struct block *block)
 {
-    struct affine zero = affine_from_whole(0, block->v->g), weight = affine_from(w->weight);
+    struct affine zero = affine_from_whole(0, block->v->g);
 
     out->source = w->source;
-    set_matrix(out->m, weight, zero, zero, weight);
+    set_matrix(out->m, w->weight, zero, zero, w->weight);
     if (block->plain)                              /* all weights are totals */
         return true;
     switch (w->source->kind) {
@@ -370,7 +370,7 @@ static bool make_term(struct term *out, const struct weighted *w,
     case SOURCE_ALL:
         return false;
     case SOURCE_ONE:
-        power_matrix(out->m, w->weight, w->source->sectors, block);
+        power_matrix(out->m, w->weight.c, w->source->sectors, block);
         return true;
     case SOURCE_EACH:
         each_matrix(out->m, w->each, block);

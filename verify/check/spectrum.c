@@ -150,25 +150,35 @@ interval spectrum_inverse_upper(integer a, int g)
         integer_shift_left(integer_from(1), 2L * g), a));
 }
 
-/* 0 < |L| < 1 in the real form; L < 0 for refutations by a frequency only. */
-static interval prove_real_size(const struct krawczyk *s, const struct certificate *c)
+static noreturn void reject_small(const struct certificate *c)
 {
-    interval l = s->l_box[0];
+    rejected(c->file, c->pair.line_of.eigenvalue,
+             "eigenvalue: |L| is not proved to be larger than 1");
+}
 
+/* L < 0 for refutations only, but those by a fold. */
+interval spectrum_prove_size(interval l, int g, const struct certificate *c)
+{
+    integer one = grid_from(1, g).lo;
+
+    if (c->reason == REASON_NOT_C0) {
+        if (integer_compare(l.lo, one) <= 0 && integer_compare(interval_minus(l).lo, one) <= 0)
+            reject_small(c);
+        return grid_from(0, g);
+    }
     if (c->reason == REASON_FREQUENCY && l.hi.sign < 0)
         l = interval_minus(l);
-    if (l.lo.sign <= 0 || integer_compare(l.hi, grid_from(1, s->g).lo) >= 0)
+    if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
         rejected(c->file, c->pair.line_of.eigenvalue,
                  "eigenvalue: its interval is not inside (0,1)");
-    return spectrum_inverse_upper(l.lo, s->g);
+    return spectrum_inverse_upper(l.lo, g);
 }
 
 /* |L|^2 */
 static interval squared_modulus(const struct krawczyk *s)
 {
-    interval out = grid_mul(s->l_box[0], s->l_box[0], s->g);
-
-    return s->real ? out : interval_add(out, grid_mul(s->l_box[1], s->l_box[1], s->g));
+    return interval_add(grid_mul(s->l_box[0], s->l_box[0], s->g),
+                        grid_mul(s->l_box[1], s->l_box[1], s->g));
 }
 
 /* 0 < ell < |L|, q = |L|^2 */
@@ -185,25 +195,18 @@ static void check_modulus(const struct krawczyk *s, const struct certificate *c,
 static interval prove_complex_size(const struct krawczyk *s, const struct certificate *c)
 {
     interval q = squared_modulus(s);
+    integer one = grid_from(1, s->g).lo;
 
     check_modulus(s, c, q);
-    if (integer_compare(q.hi, grid_from(1, s->g).lo) >= 0)
+    if (c->reason == REASON_NOT_C0) {
+        if (integer_compare(q.lo, one) <= 0)
+            reject_small(c);
+        return grid_from(0, s->g);
+    }
+    if (integer_compare(q.hi, one) >= 0)
         rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
                  "smaller than 1");
     return spectrum_inverse_upper(c->pair.modulus, s->g);
-}
-
-/* |L| > 1: in the real form lo > 1 or hi < -1 */
-static void prove_divergence(const struct krawczyk *s, const struct certificate *c)
-{
-    integer one = grid_from(1, s->g).lo;
-    interval l = s->l_box[0].hi.sign < 0 ? interval_minus(s->l_box[0]) : s->l_box[0];
-
-    if (!s->real)
-        check_modulus(s, c, squared_modulus(s));
-    if (integer_compare(s->real ? l.lo : squared_modulus(s).lo, one) <= 0)
-        rejected(c->file, c->pair.line_of.eigenvalue,
-                 "eigenvalue: |L| is not proved to be larger than 1");
 }
 
 struct krawczyk spectrum_prove_inclusion(const interval *matrix, int g,
@@ -232,17 +235,41 @@ struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
                                           const struct certificate *c)
 {
     struct krawczyk s = spectrum_prove_inclusion(matrix, g, &c->pair, false, c);
-    struct eigenpair out = { .s = grid_from(0, g) };
+    struct eigenpair out;
 
-    if (c->reason == REASON_NOT_C0)
-        prove_divergence(&s, c);
-    else
-        out.s = s.real ? prove_real_size(&s, c) : prove_complex_size(&s, c);
+    out.s = s.real ? spectrum_prove_size(s.l_box[0], g, c) : prove_complex_size(&s, c);
     out.unknowns = allocate((size_t)s.size, sizeof out.unknowns[0]);
     for (int i = 0; i < s.size; i++)
         out.unknowns[i] = affine_from(s.box[i]);
     out.real = affine_from(s.l_box[0]);
     out.imaginary = s.real ? affine_from_whole(0, g) : affine_from(s.l_box[1]);
+    return out;
+}
+
+/* The plain form
+ * -------------- */
+
+struct affine *spectrum_without_constants(const struct affine *b, int n)
+{
+    struct affine *out = allocate((size_t)(n - 1) * (size_t)(n - 1), sizeof out[0]);
+
+    for (int i = 1; i < n; i++)
+        for (int j = 1; j < n; j++)
+            out[(i - 1) * (n - 1) + j - 1] = affine_sub(b[i * n + j], b[j]);
+    return out;
+}
+
+/* x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
+struct affine *spectrum_with_constants(const struct affine *y, struct affine l,
+                                       const struct affine *b, int n, int g)
+{
+    struct affine *out = allocate((size_t)n, sizeof out[0]), sum = affine_from_whole(0, g);
+
+    for (int j = 1; j < n; j++)
+        sum = affine_add(sum, affine_mul(b[j], y[j - 1], g));
+    out[0] = affine_div(sum, affine_sub(l, affine_from_whole(1, g)), g);
+    for (int i = 1; i < n; i++)
+        out[i] = affine_add(y[i - 1], out[0]);
     return out;
 }
 

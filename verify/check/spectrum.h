@@ -38,6 +38,16 @@ interval spectrum_add_product(interval sum, interval x, interval y, int g);
 /* The thin ceil(1 / a), a > 0 in units of 2^-g. */
 interval spectrum_inverse_upper(integer a, int g);
 
+/* Proves the size of a real L that the certificate's reason needs (c1: 0 < L < 1); returns
+ * s; else rejects. */
+interval spectrum_prove_size(interval l, int g, const struct certificate *certificate);
+
+/* Block 0 without the constant net, the plain form of section 10: of order n - 1; and the
+ * net's unknowns from the eigenvector of differences y of its matrix b. */
+struct affine *spectrum_without_constants(const struct affine *b, int n);
+struct affine *spectrum_with_constants(const struct affine *y, struct affine l,
+                                       const struct affine *b, int n, int g);
+
 /* Proves the eigenpair of the block with this matrix, and 0 < |L| < 1 (reason not-c0:
  * |L| > 1); else rejects. */
 struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,

@@ -82,11 +82,11 @@ static void weigh(struct active_rule *out, const struct valence *v)
                              w->source->kind == SOURCE_SPECTRUM ? &zero : &plain);
             value_require(value, l, v->reference.file, v->reference.line);
         }
-        w->weight = value_enclose(value, v->g);
+        w->weight = affine_from(value_enclose(value, v->g));
         value_apply(&sum, '+', &value, NULL, v->g);
     }
     value_apply(&rest, '-', &sum, NULL, v->g);
-    out->weighted[rule->rest].weight = value_enclose(rest, v->g);
+    out->weighted[rule->rest].weight = affine_from(value_enclose(rest, v->g));
 }
 
 /* Of several valences it must be the same for all. */

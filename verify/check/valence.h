@@ -8,6 +8,7 @@
  * at each of the valences.
  */
 
+#include "affine.h"
 #include "scheme.h"
 
 /* Where messages about the scheme point to: a line of the certificate. */
@@ -18,7 +19,7 @@ struct reference {
 
 struct weighted {
     const struct source *source;
-    interval weight;                               /* spectrum: the one at m = 0 */
+    struct affine weight;                          /* spectrum: the one at m = 0 */
     interval *each;                                /* SOURCE_EACH: W_0 .. W_(k-1) */
 };
 

@@ -1,0 +1,171 @@
+/* Laurent values: certificate-valences.md, section 4, "Limit". */
+
+#include "laurent.h"
+
+enum { SIZE = 2 * LAURENT_DEGREE + 1 };
+
+struct laurent laurent_constant(rational q)
+{
+    struct laurent out;
+
+    for (int i = 0; i < SIZE; i++)
+        out.c[i] = rational_from(0, 1);
+    out.c[LAURENT_DEGREE] = q;
+    return out;
+}
+
+rational laurent_at(const struct laurent *a, int i)
+{
+    return a->c[i + LAURENT_DEGREE];
+}
+
+static void add(struct laurent *a, const struct laurent *b)
+{
+    for (int i = 0; i < SIZE; i++)
+        if (b->c[i].num.sign != 0)
+            a->c[i] = rational_add(a->c[i], b->c[i]);
+}
+
+static void negate(struct laurent *a)
+{
+    for (int i = 0; i < SIZE; i++)
+        a->c[i] = rational_negate(a->c[i]);
+}
+
+void laurent_subtract(struct laurent *a, const struct laurent *b)
+{
+    negate(a);
+    add(a, b);
+    negate(a);
+}
+
+/* False beyond the largest degree. */
+static bool multiply(struct laurent *a, const struct laurent *b)
+{
+    struct laurent *out = allocate(1, sizeof *out);
+
+    *out = laurent_constant(rational_from(0, 1));
+    for (int i = 0; i < SIZE; i++) {
+        for (int j = 0; j < SIZE && a->c[i].num.sign != 0; j++) {
+            int n = i + j - LAURENT_DEGREE;
+
+            if (b->c[j].num.sign == 0)
+                continue;
+            if (n < 0 || n >= SIZE)
+                return false;
+            out->c[n] = rational_add(out->c[n], rational_mul(a->c[i], b->c[j]));
+        }
+    }
+    *a = *out;
+    return true;
+}
+
+/* 1/a, for one term. */
+static bool invert(struct laurent *a)
+{
+    int terms = 0, at = 0;
+    rational q;
+
+    for (int i = 0; i < SIZE; i++) {
+        if (a->c[i].num.sign != 0) {
+            terms++;
+            at = i;
+        }
+    }
+    if (terms != 1)
+        return false;
+    q = rational_divide(rational_from(1, 1), a->c[at]);
+    *a = laurent_constant(rational_from(0, 1));
+    a->c[SIZE - 1 - at] = q;
+    return true;
+}
+
+static bool apply_operation(struct laurent *a, char operation, struct laurent *b)
+{
+    if (operation == '+')
+        add(a, b);
+    else if (operation == '-')
+        laurent_subtract(a, b);
+    else
+        return (operation == '*' || invert(b)) && multiply(a, b);
+    return true;
+}
+
+/* Sums and products. */
+static bool evaluate_terms(struct laurent *out, const struct node *f,
+                           const struct environment *e)
+{
+    struct laurent *term = allocate(1, sizeof *term);
+
+    *out = laurent_constant(rational_from(f->kind == NODE_SUM ? 0 : 1, 1));
+    for (const struct node *n = f->first; n != NULL; n = n->next)
+        if (!laurent_evaluate(term, n, e) || !apply_operation(out, n->join, term))
+            return false;
+    return true;
+}
+
+/* x ^ n, n = 0, 1, 2 ... */
+static bool evaluate_power(struct laurent *out, const struct node *f,
+                           const struct environment *e)
+{
+    struct laurent *base = allocate(1, sizeof *base);
+    const struct node *exponent = f->first->next;
+    struct value n = evaluate(exponent, e);
+    int64_t times;
+
+    if (exponent->join == '-')
+        value_negate(&n);
+    if (n.kind != RATIONAL || n.range || !rational_is_whole(n.q) || n.q.num.sign < 0 ||
+        !integer_get_small(&times, n.q.num, LAURENT_DEGREE) ||
+        !laurent_evaluate(base, f->first, e))
+        return false;
+    *out = laurent_constant(rational_from(1, 1));
+    for (int64_t i = 0; i < times; i++)
+        if (!multiply(out, base))
+            return false;
+    return true;
+}
+
+static bool evaluate_cases(struct laurent *out, const struct node *f,
+                           const struct environment *e)
+{
+    for (const struct node *n = f->first; n != NULL; n = n->next->next) {
+        enum truth truth = n->next == NULL ? YES : condition_truth(n, e);
+
+        if (truth == UNKNOWN)
+            return false;
+        if (truth == YES)
+            return laurent_evaluate(out, n->next == NULL ? n : n->next, e);
+    }
+    return false;
+}
+
+bool laurent_evaluate(struct laurent *out, const struct node *f, const struct environment *e)
+{
+    const struct definition *d;
+
+    switch (f->kind) {
+    case NODE_NUMBER:
+        *out = laurent_constant(f->number);
+        return true;
+    case NODE_K:
+        *out = laurent_constant(rational_from(0, 1));
+        out->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
+        return true;
+    case NODE_NAME:
+        d = &e->language->definition[f->name];
+        if (d->formula != NULL)
+            return laurent_evaluate(out, d->formula, e);
+        *out = laurent_constant(d->low);
+        return rational_compare(d->low, d->high) == 0;
+    case NODE_SUM:
+    case NODE_PRODUCT:
+        return evaluate_terms(out, f, e);
+    case NODE_POWER:
+        return evaluate_power(out, f, e);
+    case NODE_CASES:
+        return evaluate_cases(out, f, e);
+    default:
+        return false;
+    }
+}
