@@ -527,7 +527,7 @@ static void read_choices(reader *r, choices *c)
         read_window(r, c, &total);
     else
         read_pair(r, c, several);
-    if (several)
+    if (several && c1)
         read_limit(r, c, &total);
     read_blocks(r, c, &total);
     if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
