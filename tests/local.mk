@@ -146,6 +146,7 @@ SCRIPT_TESTS = \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
+  tests/certificates/proofs.sh \
   tests/certificates/usage.sh \
   tests/fuzz/agree.sh \
   tests/verify/cases.sh \
