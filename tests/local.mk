@@ -151,6 +151,7 @@ SCRIPT_TESTS = \
   tests/fuzz/agree.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/ranges.sh \
   tests/verify/archive.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh \
