@@ -73,6 +73,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
   verify/uniform.c \
+  verify/uniform_range.h verify/uniform_range.c \
   verify/spectrum_blocks.h verify/spectrum_blocks.c \
   verify/spectrum_survey.c \
   verify/picture_take.c \
