@@ -91,7 +91,24 @@ static bool first_bound(number *bound, number *size, const workspace *w, long pr
     return ok;
 }
 
-truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, long prec)
+/* slope = s + E slope, as often as it helps. */
+static void improve(number *slope, workspace *w, int times, long prec)
+{
+    int n = w->n;
+    for (int step = 0; step < times; step++) {
+        for (int i = 0; i < n; i++) {
+            number_set(&w->scratch[i], &w->s[i]);
+            for (int l = 0; l < n; l++)
+                number_addmul(&w->scratch[i], &w->e[i * n + l], &slope[component(w, l)], prec);
+        }
+        for (int i = 0; i < n; i++) {
+            number *z = &slope[component(w, i)];
+            number_intersection(z, z, &w->scratch[i], prec);
+        }
+    }
+}
+
+static truth find_slope(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, int improvements, long prec)
 {
     int n = choice->n;
     size_t square = (size_t)n * (size_t)n;
@@ -111,6 +128,7 @@ truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *
             number_mul(&w.scratch[i], &w.scratch[i], &bound, prec);
             number_add_error(&slope[component(&w, i)], &w.s[i], &w.scratch[i], prec);
         }
+        improve(slope, &w, improvements, prec);
         if (number_lacks_memory(&slope[n]))
             found = TRUTH_FALSE;
     }
@@ -120,4 +138,16 @@ truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *
     number_array_free(w.y, square);
     number_array_free(w.scratch, (size_t)n);
     return found;
+}
+
+truth eigenpair_slope(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, long prec)
+{
+    return find_slope(slope, box, choice, b, b_slope, 0, prec);
+}
+
+#define IMPROVEMENTS 3
+
+truth eigenpair_slope_sharp(number *slope, const number *box, const eigenpair_choice *choice, const number *b, const number *b_slope, long prec)
+{
+    return find_slope(slope, box, choice, b, b_slope, IMPROVEMENTS, prec);
 }

@@ -53,7 +53,7 @@ static truth prove_pair(number *box, number *slope, int *sign, eigenpair_choice 
     if (t == TRUTH_TRUE && number_is_positive(&box[n]) != TRUTH_TRUE)
         t = TRUTH_UNKNOWN;
     if (t == TRUTH_TRUE)
-        t = eigenpair_slope(slope, box, choice, b->entry, b->slope, prec);
+        t = eigenpair_slope_sharp(slope, box, choice, b->entry, b->slope, prec);
     *sign = t != TRUTH_TRUE ? 0 : number_is_positive(&slope[n]) == TRUTH_TRUE ? 1 : number_is_negative(&slope[n]) == TRUTH_TRUE ? -1 : 0;
     return t;
 }

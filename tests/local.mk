@@ -150,10 +150,12 @@ SCRIPT_TESTS = \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
   tests/certificates/cut.sh \
+  tests/certificates/proofs.sh \
   tests/certificates/usage.sh \
   tests/fuzz/agree.sh \
   tests/verify/cases.sh \
   tests/verify/cli.sh \
+  tests/verify/ranges.sh \
   tests/verify/archive.sh \
   tests/verify/regular.sh \
   tests/verify/spectrum.sh \

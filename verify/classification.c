@@ -5,12 +5,13 @@
 
 #include "../lib/growing.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 void classification_init(classification *z)
 {
-    *z = (classification){NULL, 0, 0, 0};
+    *z = (classification){NULL, 0, 0, 0, 0, 0};
 }
 
 void classification_clear(classification *z)
@@ -29,6 +30,9 @@ bool classification_add(classification *z, const decision *d)
 {
     classification_part *last = z->count ? &z->part[z->count - 1] : NULL, *room;
     z->boxes++;
+    if (d->findings.uniform && d->findings.uniform_level > z->uniform_level)
+        z->uniform_level = d->findings.uniform_level;
+    z->uniform_width = fmax(z->uniform_width, d->findings.uniform_width);
     if (last && last->k.last + 1 == d->k.first && is_same_answer(last, d)) {
         last->k.last = d->k.last;
         return true;

@@ -16,6 +16,8 @@ typedef struct {
     classification_part *part; /* in order; neighbours differ in something */
     size_t count, capacity;
     long boxes;                /* how many decisions */
+    int uniform_level;         /* of the uniform method, where it was used: the deepest level, */
+    double uniform_width;      /* and the largest half-width of a net */
 } classification;
 
 void classification_init(classification *z);

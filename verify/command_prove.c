@@ -378,6 +378,8 @@ static void summarise(const prove_run *r)
     } else {
         buffer_print(&text, "%s, in %ld %s: ", r->scheme.name, r->classification.boxes, r->classification.boxes == 1 ? "box" : "boxes");
         classification_print(&text, &r->classification);
+        if (r->options.uniform)
+            buffer_print(&text, "; uniform method: nets up to +/- %.2g wide, level %d at most", r->classification.uniform_width, r->classification.uniform_level);
     }
     if (!text.failed)
         puts(text.bytes);

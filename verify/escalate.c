@@ -220,7 +220,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
 void decide_range(decision *z, const problem *p, valence_range k, bool refutes, const limits *l)
 {
     double start = deadline_now();
-    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS};
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS, .uniform = l->uniform};
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
     stop_sign before;
     choices c;

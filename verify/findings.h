@@ -31,7 +31,8 @@ typedef struct {
     long elements;                             /* examined in them */
     bool uniform;                              /* the uniform method has proved it, too: */
     int uniform_level;                         /*   at this level, */
-    long uniform_elements;                     /*   which has so many triangles */
+    long uniform_elements;                     /*   which has so many triangles; */
+    double uniform_width;                      /*   of several valences: the largest half-width of the net, in units of L's eigenvector */
     attempt attempts[MAX_ATTEMPTS];            /* all of them, or the first MAX_ATTEMPTS - 1 and the last */
     int attempt_count;
 } findings;

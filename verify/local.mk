@@ -13,7 +13,7 @@ VERIFY_SOURCES = \
   verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
   verify/certificate_exact.h verify/certificate_exact.c \
-  verify/certificate.h verify/certificate.c \
+  verify/certificate.h verify/certificate.c verify/certificate_read.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
   verify/findings.h verify/findings.c \
   verify/analysis.h \
@@ -73,6 +73,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/uniform_isolation_test.c \
   verify/uniform_injectivity_test.c \
   verify/uniform.c \
+  verify/uniform_range.h verify/uniform_range.c \
   verify/spectrum_blocks.h verify/spectrum_blocks.c \
   verify/spectrum_survey.c \
   verify/picture_take.c \

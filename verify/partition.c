@@ -48,7 +48,7 @@ static bool decide_box(progress_of_partition *s, decision *d)
         width = u_of(box.last) - u_of(s->k);
         decide_range(d, p->problem, box, s->refuted, p->limits);
         if (d->verdict != VERDICT_UNDECIDED) {
-            s->width = width > s->width / 2 ? 1.5 * width : s->width;
+            s->width = fmin(1.5 * s->width, 1); /* of what was asked for: boxes are rounded down to whole valences */
             return true;
         }
         if (d->outcome == OUTCOME_NO_MEMORY || d->outcome == OUTCOME_STOPPED)

@@ -44,10 +44,12 @@ static void describe_valences(char *text, size_t size, valence_range k)
 static void print_figures(const decision *d)
 {
     const findings *f = &d->findings;
-    char others[32] = "|L|";
+    char others[32] = "|L|", where[32] = "";
     if (f->runner_up < f->eigenvalue_lower)
         snprintf(others, sizeof others, "%.9f", round_up(f->runner_up));
-    printf("L = %s, others < %s (block %ld), Jacobian > %.4g, ", f->eigenvalue, others, f->runner_up_block, round_down(f->jacobian));
+    if (is_one_valence(d->k))
+        snprintf(where, sizeof where, " (block %ld)", f->runner_up_block);
+    printf("L = %s, others < %s%s, Jacobian > %.4g, ", f->eigenvalue, others, where, round_down(f->jacobian));
     if (f->uniform)
         printf("uniform level %d, %ld elements (adaptive: level %d, %ld elements), ", f->uniform_level, f->uniform_elements, f->level, f->elements);
     else
@@ -110,13 +112,16 @@ static void write_levels(buffer *b, const findings *f)
         buffer_print(b, ",\"uniform_level\":%d,\"uniform_elements\":%ld", f->uniform_level, f->uniform_elements);
 }
 
-static void write_findings(buffer *b, const findings *f)
+/* Of several valences the others are below L at each; a number only if it is below all of these. */
+static void write_findings(buffer *b, const findings *f, bool one)
 {
     json_add_string(b, "eigenvalue", f->eigenvalue);
     json_add_number(b, "modulus_lower", f->eigenvalue_lower);
     json_add_number(b, "modulus_upper", f->eigenvalue_upper);
-    json_add_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
-    buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
+    if (f->runner_up < f->eigenvalue_lower || one)
+        json_add_number(b, "others_upper", fmin(f->runner_up, f->eigenvalue_lower));
+    if (one)
+        buffer_print(b, ",\"others_block\":%ld", f->runner_up_block);
     json_add_number(b, "jacobian_lower", f->jacobian);
     buffer_print(b, ",\"method\":\"%s\"", f->uniform ? "uniform" : "adaptive");
     write_levels(b, f);
@@ -131,7 +136,7 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
     write_valences(&b, d->k);
     buffer_print(&b, ",\"verdict\":\"%s\"", verdict_name(d->verdict));
     if (d->verdict == VERDICT_PROVED && !d->plainly_regular && !d->kept_before)
-        write_findings(&b, &d->findings);
+        write_findings(&b, &d->findings, is_one_valence(d->k));
     if (d->kept_before) {
         buffer_print(&b, ",\"kept_before\":true");
     } else if (d->verdict != VERDICT_UNDECIDED) {

@@ -1,6 +1,7 @@
-/* range_tests.c: which tests a claim about several valences needs (verify/certificate-valences.md), and refusals in place of
-   what there is for single valences only.  Compiled for affine numbers. */
+/* range_tests.c: which tests a claim about several valences needs (verify/certificate-valences.md), and what stands here for
+   things that are done otherwise.  Compiled for affine numbers. */
 #include "tests.h"
+#include "uniform_range.h"
 
 enum { C1 = 1 << CLAIM_C1, WINDOW = 1 << CLAIM_WINDOW };
 
@@ -25,7 +26,29 @@ void exact_free(analysis *a)
     (void)a;
 }
 
+static base_number *make_ranges(const number *x, size_t n, long prec)
+{
+    base_number *z = base_array_new(n);
+    for (size_t i = 0; z && i < n; i++)
+        affine_range(&z[i], &x[i], prec);
+    return z;
+}
+
+/* The reference has no slopes: it sees intervals. */
 outcome analysis_uniform(analysis *a)
 {
-    return findings_explain(a->findings, OUTCOME_FALSE, "the uniform method is for single valences");
+    outcome o = analysis_make_net(a);
+    size_t size = o == OUTCOME_TRUE ? (size_t)sector_size(a->net.rings) : 0;
+    base_number u, *x = NULL, *y = NULL;
+    if (o != OUTCOME_TRUE)
+        return o;
+    base_init(&u);
+    affine_range(&u, &a->dominant.twist.u, a->prec);
+    x = make_ranges(a->net.x, size, a->prec);
+    y = make_ranges(a->net.y, size, a->prec);
+    o = x && y ? BASE_NAME(uniform_over_range)(a->findings, a->choices, a->plan, x, y, a->net.rings, &u, a->prec) : OUTCOME_NO_MEMORY;
+    base_array_free(x, size);
+    base_array_free(y, size);
+    base_clear(&u);
+    return o;
 }

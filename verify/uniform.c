@@ -122,9 +122,9 @@ static outcome run_levels(analysis *a)
             return o;
         }
         if (o == OUTCOME_UNDEFINED)
-            o = refine_nets(a);
+            o = precision_matters(a) ? OUTCOME_FAIL : refine_nets(a);
     }
-    return o == OUTCOME_UNDEFINED ? give_up(a, tests) : o;
+    return o == OUTCOME_UNDEFINED || o == OUTCOME_FAIL ? give_up(a, tests) : o;
 }
 
 outcome analysis_uniform(analysis *a)

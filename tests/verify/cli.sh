@@ -81,7 +81,7 @@ usage_of_prove() {
   expect no-valence 64 'no valences given' prove loop
   expect value-missing 64 '--valence' prove loop --valence
   expect unknown-prove-option 64 '--fast' prove loop --valence 3 --fast
-  for list in '' 2 5..4 1000000001 3..1000000001 3..200000 3,,4 '3,' all inf 8..inf 3..x 3-5 ' 3' 99999999999999999999; do
+  for list in '' 2 5..4 1000000001 3..1000000001 3,,4 '3,' inf inf..8 3..x 3-5 ' 3' 99999999999999999999; do
     expect "valence-'$list'" 64 "--valence $list: " prove loop --valence "$list" --out none
   done
   for bits in '' 63 0 -64 8193 x 64x 1e3 99999999999999999999; do
@@ -199,7 +199,7 @@ patience() {
     status=$?
     [ ! -s stdout ] && grep -q 'interrupted' stderr
     holds interrupt $? "status $status: $(cat stdout stderr | head -n 1)"
-    timeout -s INT -k 60 1 "$SMOOTHCERT" prove loop --valence 3..100000 --out none >stdout 2>stderr
+    timeout -s INT -k 60 1 "$SMOOTHCERT" prove loop --valence 3..100000 --each --out none >stdout 2>stderr
     grep -q 'interrupted' stderr
     holds interrupt-between-valences $? "$(tail -n 1 stdout)"
   fi

@@ -11,7 +11,8 @@ plain() {
 }
 
 # Commands begin with "    $ " and may go on behind a backslash; what follows without such a sign is their output.
-awk '/^    [$] / { n++; going = 1; sub(/^    [$] /, ""); print >("command" n); more = /\\$/; next }
+# The first one builds the programs before; that is done.
+awk '/^    [$] / { n++; going = 1; sub(/^    [$] (\.\/bootstrap && make && \.\/)?/, ""); print >("command" n); more = /\\$/; next }
      going && /^    / && more { print >("command" n); more = /\\$/; next }
      going && /^    / { sub(/^    /, ""); print >("output" n); next }
      { going = 0 }' "$SRCDIR/README"

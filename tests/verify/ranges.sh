@@ -1,0 +1,136 @@
+#!/bin/sh
+# Proofs for many valences at once: what `prove` says of ranges, what it writes, and that smoothcert-check agrees.
+set -u
+LC_ALL=C
+export LC_ALL
+
+# The last line of a run, and its status.  Nothing may be on stderr.
+summary() { # NAME STATUS LINE ARGUMENT...
+  name=$1 wanted=$2 line=$3
+  shift 3
+  "$SMOOTHCERT" prove "$@" >stdout 2>stderr
+  status=$?
+  if [ $status -ne "$wanted" ]; then
+    echo "FAIL ranges-$name: exit status $status instead of $wanted: $(cat stdout stderr | tail -n 1)"
+  elif [ -s stderr ]; then
+    echo "FAIL ranges-$name: something is on stderr: $(head -n 1 stderr)"
+  elif [ "$(tail -n 1 stdout)" != "$line" ]; then
+    echo "FAIL ranges-$name: expected '$line', found '$(tail -n 1 stdout)'"
+  else
+    echo "PASS ranges-$name"
+  fi
+}
+
+refused() { # NAME MESSAGE ARGUMENT...
+  name=$1 message=$2
+  shift 2
+  "$SMOOTHCERT" prove "$@" --out none >stdout 2>stderr
+  status=$?
+  if [ $status -eq 64 ] && [ ! -s stdout ] && grep -qF -e "$message" stderr; then
+    echo "PASS ranges-$name"
+  else
+    echo "FAIL ranges-$name: exit status $status: $(cat stdout stderr | head -n 1)"
+  fi
+}
+
+holds() { # NAME WAS-IT-SO REASON
+  if [ "$2" -eq 0 ]; then echo "PASS ranges-$1"; else echo "FAIL ranges-$1: $3"; fi
+}
+
+# Every certificate of a directory, which together are to speak of these valences.
+verifies() { # NAME SCHEME VALENCES CLAIM DIRECTORY
+  "$SMOOTHCERT_CHECK" --scheme "$SRCDIR/lib/catalogue/$2.scheme" --valence "$3" --claim "$4" "$5" >printed 2>complaints
+  holds "$1" $? "$(cat printed complaints | grep -v '^verified' | head -n 1)"
+}
+
+# ---- the catalogue, for all valences ----
+
+# SCHEME BOXES: `boxes` has no bad number, but what is proved in a few must not need many.
+all_valences() {
+  summary "all-$1" 0 "$1, in $2 boxes: C1: 3..inf" "$1" --valence all --out "all-$1"
+  verifies "all-$1-checked" "$1" all c1 "all-$1"
+}
+
+all_valences loop 7
+all_valences loop-warren 7
+all_valences modified-loop 7
+all_valences modified-butterfly 12
+all_valences catmull-clark 15
+all_valences doo-sabin 9
+all_valences midpoint 10
+all_valences kobbelt 20
+all_valences wave 13
+
+# Block 0 of Catmull-Clark's scheme tends to block 1.
+grep -q '^limit ' all-catmull-clark/valence-*..inf.cert
+holds limit $? 'no limit in the certificate that speaks of infinity'
+! grep -q '^limit ' all-loop/valence-*..inf.cert
+holds no-limit $? 'a limit where none is needed'
+grep -q '^rise ' all-loop/valence-*..inf.cert && ! grep -q '^rise ' all-modified-butterfly/valence-*..inf.cert
+holds rise $? 'a chain belongs where weights do not depend on frequencies, and only there'
+
+# ---- some proved, some refuted ----
+
+summary butterfly 1 'butterfly, in 7 boxes: C1: 4..7; not C1: 3 (jordan), 8..inf (frequency)' butterfly --valence all --out butterfly
+verifies butterfly-c1 butterfly 4..7 c1 butterfly
+verifies butterfly-not-c1 butterfly 8..inf not-c1 butterfly
+"$SMOOTHCERT_CHECK" --scheme "$SRCDIR/lib/catalogue/butterfly.scheme" --valence 4..8 --claim c1 butterfly >printed 2>&1
+[ $? -eq 1 ]
+holds butterfly-not-8 $? "$(tail -n 1 printed)"
+
+# ---- what may be asked ----
+
+summary parts 0 'loop, in 3 boxes: C1: 3, 8..inf' loop --valence 3,8..inf --out none
+summary finite 0 'loop, in 7 boxes: C1: 3..200000' loop --valence 3..200000 --out none
+refused backwards "--valence inf..8: " loop --valence inf..8
+refused each '--each examines at most' loop --valence 3..200000 --each
+refused each-of-all '--each examines at most' loop --valence all --each
+refused asymmetric 'mirror-symmetric' loop-spiral --valence all
+refused too-large "'inf'" loop --valence 3..1000000001
+
+# ---- JSON ----
+
+"$SMOOTHCERT" prove loop --valence all --out none --json >printed 2>complaints
+holds json-status $? "$(head -n 1 complaints)"
+tail -n 1 printed | grep -qxF '{"scheme":"loop","boxes":7,"c1":[[3,null]],"not_c1":[],"undecided":[]}'
+holds json-summary $? "$(tail -n 1 printed)"
+grep -q '"valences":\[14,null\],"verdict":"proved"' printed
+holds json-box $? "$(tail -n 2 printed | cut -c 1-100 | head -n 1)"
+
+# ---- going on, and what others wrote ----
+
+cp all-loop/valence-14..inf.cert before 2>/dev/null
+summary again 0 'loop, in 7 boxes: C1: 3..inf' loop --valence all --out all-loop
+cmp -s before all-loop/valence-14..inf.cert
+holds again-same $? 'the certificate was written anew'
+sed 's/^valence 14 inf$/valence 13 inf/' before >all-loop/valence-14..inf.cert
+"$SMOOTHCERT" prove loop --valence all --out all-loop >stdout 2>stderr && grep -q 'made anew' stderr && cmp -s before all-loop/valence-14..inf.cert
+holds mended $? "$(tail -n 1 stderr)"
+verifies mended-checked loop all c1 all-loop
+
+# ---- forgeries ----
+
+# A certificate with changes, and with counts and a sum that are right; $? is the answer of the checker.
+sign() { # VALENCES EDIT
+  sed "$2" before | awk '/^sha256 / { next } /^records / { print "records", NR - 1; next } { print }' >forged
+  printf 'sha256 %s\n' "$(sha256sum <forged | cut -d ' ' -f 1)" >>forged
+  "$SMOOTHCERT_CHECK" --scheme "$SRCDIR/lib/catalogue/loop.scheme" --valence "$1" --claim c1 forged >printed 2>&1
+}
+
+sign 14..inf ''
+holds signed $? "$(tail -n 1 printed)"
+
+forged() { # NAME VALENCES EDIT
+  sign "$2" "$3"
+  [ $? -eq 1 ]
+  holds "forged-$1" $? "$(tail -n 1 printed)"
+}
+
+forged smaller-valences 13..inf 's/^valence 14 inf$/valence 13 inf/'
+forged three-and-more all 's/^valence 14 inf$/valence 3 inf/'
+forged another-claim 13..inf ''
+forged rho-for-rho_R 14..inf '/^range /s/ .*/ 1/'
+forged no-chain 14..inf '/^rise /,/^cover /{/^cover /!d;}'
+forged another-end 14..inf '/^cover /s/ 800000000000 / 7fffffffffff /'
+forged a-hole 14..inf '0,/^cover /{/^cover /d;}'
+forged from-3-on 14..inf 's/^cover 2 inf /cover 3 inf /'
