@@ -101,3 +101,11 @@ bool buffer_read_file(buffer *z, const char *path, size_t limit)
     errno = (int)n;
     return ok;
 }
+
+long text_lines(const char *bytes, size_t length)
+{
+    long lines = 0;
+    for (size_t i = 0; i < length; i++)
+        lines += bytes[i] == '\n';
+    return lines;
+}

@@ -23,4 +23,7 @@ void buffer_hexadecimal(buffer *z, const integer *x); /* as certificates write i
 /* The whole content of a file.  false: errno says why (EFBIG: more than `limit` bytes). */
 bool buffer_read_file(buffer *z, const char *path, size_t limit);
 
+/* How many lines end in these bytes. */
+long text_lines(const char *bytes, size_t length);
+
 #endif

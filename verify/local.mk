@@ -13,7 +13,7 @@ VERIFY_SOURCES = \
   verify/picture.h verify/picture.c \
   verify/problem.h verify/problem.c \
   verify/certificate_exact.h verify/certificate_exact.c \
-  verify/certificate.h verify/certificate.c \
+  verify/certificate.h verify/certificate.c verify/certificate_read.c \
   verify/uniform_bounds.h verify/uniform_bounds.c \
   verify/findings.h verify/findings.c \
   verify/analysis.h \

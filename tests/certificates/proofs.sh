@@ -25,6 +25,6 @@ for name in loop loop-warren modified-loop modified-butterfly catmull-clark doo-
   verifies $name all c1
 done
 verifies butterfly 4..7 c1
-verifies butterfly 8..inf not-c1
+verifies butterfly 3,8..inf not-c1
 rejects butterfly all c1
 rejects loop all not-c1

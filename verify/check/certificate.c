@@ -17,6 +17,7 @@ enum {
     MAX_RISES = 1000, MAX_COVERS = 10000, Q_BITS = 48,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
+    MAX_FACTOR = 64, MAX_EXACT = 64, MAX_EXACT_ORDER = 64,
     MAX_DECIMAL = 15                               /* digits; all limits have less */
 };
 
@@ -274,17 +275,44 @@ static void read_form(struct certificate *c)
         rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
 }
 
+bool certificate_is_exact(const struct certificate *c)
+{
+    return c->reason >= REASON_TIE;
+}
+
 static void read_reason(struct certificate *c)
 {
-    static const char *const reason[] = { "frequency", "not-c0", "fold" };
-    int choice = read_choice_record(c, "reason", reason, 3, &c->line_of.reason), line;
+    static const char *const reason[] = {
+        "frequency", "not-c0", "fold", "real", "tie", "jordan", "modulus-one"
+    };
+    int choice = read_choice_record(c, "reason", reason, 7, &c->line_of.reason);
+
+    if (choice == 7)
+        rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0`, "
+                 "`fold`, `real`, `tie`, `jordan` or `modulus-one`");
+    c->reason = (enum reason)(REASON_FREQUENCY + choice);
+    if (span_is_several(c->valence) && c->reason >= REASON_REAL)
+        rejected(c->file, c->line_of.reason, "reason: it is for single valences only");
+}
+
+static bool frequency_fits(const struct certificate *c)
+{
+    bool half = 2 * c->frequency == c->valence.first;
+
+    if (c->reason == REASON_REAL)
+        return c->frequency == 0 || half;
+    if (2 * c->frequency >= c->valence.first)
+        return false;
+    return c->reason == REASON_FOLD ? c->frequency == 1
+                                    : c->reason == REASON_NOT_C0 || c->frequency != 1;
+}
+
+static void read_frequency(struct certificate *c)
+{
+    int line;
     struct record r;
     size_t size;
 
-    if (choice == 3)
-        rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0` or "
-                 "`fold`");
-    c->reason = (enum reason)(REASON_FREQUENCY + choice);
     if (span_is_several(c->valence) && c->reason == REASON_FREQUENCY &&
         next_is(c, "frequency window"))
         c->frequency = -1;
@@ -294,34 +322,8 @@ static void read_reason(struct certificate *c)
     else
         c->frequency = read_decimal(&r, 0, MAX_VALENCE_1);
     end_record(&r);
-    if (2 * c->frequency >= c->valence.first ||
-        (c->reason == REASON_FREQUENCY && c->frequency == 1) ||
-        (c->reason == REASON_FOLD && c->frequency != 1))
+    if (c->frequency >= 0 && !frequency_fits(c))
         rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
-}
-
-void certificate_read_form(struct certificate *out, bool plainly_regular)
-{
-    struct record r = begin_noted(out, "contraction", &out->line_of.contraction);
-
-    for (int i = 0; i < 3; i++)
-        out->contraction[i] = (int)read_decimal(&r, 1, MAX_CONTRACTION);
-    end_record(&r);
-    out->real = true;
-    out->frequency = 1;
-    for (int i = 0; i < 3; i++)
-        out->stability[i] = 1024;
-    if (out->version == 0 || plainly_regular)
-        return;
-    r = begin_noted(out, "stability", &out->line_of.stability);
-    for (int i = 0; i < 3; i++) {
-        out->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
-        out->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
-    }
-    end_record(&r);
-    if (out->claim == CLAIM_NOT_C1)
-        read_reason(out);
-    read_form(out);
 }
 
 /* The record `name I ...` */
@@ -335,6 +337,7 @@ static void read_hex_record(integer *out, int count, struct certificate *c,
     end_record(&r);
 }
 
+/* For the unknowns of c. */
 static void read_eigenpair(struct choices *out, struct certificate *c)
 {
     int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, line;
@@ -357,8 +360,11 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
 
 static void check_total_power(const struct certificate *c)
 {
-    int total = c->limit.record.power;             /* at most 11003 * MAX_POWER */
+    int total = c->limit.record.power;             /* at most 11068 * MAX_POWER */
 
+    total += c->exact.others.power;
+    for (int i = 0; i < c->exact.count; i++)
+        total += c->exact.line[i].record.power;
     for (int i = 0; i < c->blocks; i++)
         total += c->block[i].power;
     for (int i = 0; i < c->rises; i++)
@@ -366,7 +372,7 @@ static void check_total_power(const struct certificate *c)
     for (int i = 0; i < c->covers; i++)
         total += c->cover[i].record.power;
     if (total > MAX_TOTAL_POWER)
-        cannot_check_at(c->file, c->block[0].line, 0,
+        cannot_check_at(c->file, c->blocks > 0 ? c->block[0].line : c->line, 0,
                         "expected powers whose sum is at most %d", MAX_TOTAL_POWER);
 }
 
@@ -417,13 +423,38 @@ static void read_two_blocks(struct certificate *c)
     }
 }
 
-/* 0; 1; then without gaps up to floor(k/2). */
+/* Has one of the frequencies m an eigenpair? */
+static bool contains_own(const struct certificate *c, struct span m)
+{
+    if (c->reason == REASON_REAL && m.first <= c->second_frequency &&
+        c->second_frequency <= m.last)
+        return true;
+    return m.first <= c->frequency && c->frequency <= m.last;
+}
+
+static bool is_exact_frequency(const struct certificate *c, int64_t first, int64_t last)
+{
+    for (int i = 0; i < c->exact.count; i++)
+        if (first <= c->exact.line[i].m && c->exact.line[i].m <= last)
+            return true;
+    return false;
+}
+
+/* The next frequency without an exact block. */
+static int64_t skip_exact(const struct certificate *c, int64_t m)
+{
+    while (is_exact_frequency(c, m, m))
+        m++;
+    return m;
+}
+
+/* 0; 1; then without gaps up to floor(k/2); but for exact blocks. */
 static void read_blocks(struct certificate *c)
 {
-    int64_t next = 0, half = c->valence.first / 2;
+    int64_t next = skip_exact(c, 0), half = c->valence.first / 2;
 
     c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
-    while (c->blocks == 0 || next_is(c, "block")) {
+    while ((c->blocks == 0 && next <= half) || next_is(c, "block")) {
         struct block_record *b = &c->block[c->blocks];
         struct record r = begin_noted(c, "block", &b->line);
 
@@ -432,11 +463,11 @@ static void read_blocks(struct certificate *c)
         b->power = (int)read_decimal(&r, 0, MAX_POWER);
         end_record(&r);
         if (b->m.first != next || b->m.last < b->m.first || b->m.last > half ||
-            (span_is_several(b->m) && (next <= 1 || (b->m.first <= c->frequency &&
-                                                     c->frequency <= b->m.last))))
+            is_exact_frequency(c, b->m.first, b->m.last) ||
+            (span_is_several(b->m) && (next <= 1 || contains_own(c, b->m))))
             rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
                      "ranges without gaps up to %lld", (long long)half);
-        next = b->m.last + 1;
+        next = skip_exact(c, b->m.last + 1);
         if (++c->blocks == MAX_BLOCKS && next_is(c, "block"))
             cannot_check_at(c->file, b->line, 0, "expected at most %d blocks", MAX_BLOCKS);
     }
@@ -575,13 +606,172 @@ static void read_refutation(struct certificate *c)
 {
     if (c->reason == REASON_FREQUENCY)
         read_trees(&c->boundary, c, "boundary");
-    if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD)
+    if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD || c->reason == REASON_REAL)
         read_witness(c);
     if (c->reason == REASON_FOLD)
         read_witness(c);
 }
 
-void certificate_read_choices(struct certificate *out, int n)
+/* `second m'` and its eigenpair, in the real form. */
+static void read_second(struct certificate *c, int n)
+{
+    struct certificate own = *c;
+    int line;
+
+    own.second_frequency = read_decimal_record(&own, "second", 0, MAX_VALENCE_1, &line);
+    if (own.second_frequency < 1 || 2 * own.second_frequency >= c->valence.first)
+        rejected(c->file, line, "second: it is not between 0 and k/2");
+    own.frequency = own.second_frequency;
+    read_form(&own);
+    if (!own.real)
+        rejected(c->file, own.line_of.form, "form: expected `real`");
+    own.n = own.size = n;
+    read_eigenpair(&own.second, &own);
+    c->second_frequency = own.second_frequency;
+    c->second = own.second;
+    c->next = own.next;
+    c->line = own.line;
+}
+
+/* Exact ties
+ * ---------- */
+
+/* g: for each coefficient Q > 0 and d numerators, without a common divisor. */
+static void read_factor(struct certificate *c, int d)
+{
+    struct exact_choices *e = &c->exact;
+
+    e->degree = (int)read_decimal_record(c, "factor", 0, MAX_FACTOR, &e->line_of.factor);
+    if (e->degree < 1)
+        rejected(c->file, e->line_of.factor, "factor: its degree is not positive");
+    e->coefficient = allocate((size_t)e->degree * (size_t)(d + 1), sizeof e->coefficient[0]);
+    for (int i = 0; i < e->degree; i++) {
+        integer *q = &e->coefficient[i * (d + 1)], gcd;
+        int line;
+
+        read_hex_record(q, d + 1, c, "coefficient", RATIONAL_BITS, &line);
+        gcd = q[0];
+        for (int part = 1; part <= d; part++)
+            gcd = integer_gcd(gcd, q[part]);
+        if (q[0].sign <= 0 || integer_bits(gcd) != 1)
+            rejected(c->file, line, "coefficient: its denominator is not positive, or it is "
+                     "not in lowest terms");
+    }
+}
+
+/* `1` or `-1` */
+static int read_sign(struct record *r)
+{
+    size_t size;
+    const char *token = next_token(&size, r);
+
+    if (!token_is(token, size, "1") && !token_is(token, size, "-1"))
+        rejected(r->c->file, r->line, "%s: expected 1 or -1 for s", r->name);
+    return size == 1 ? 1 : -1;
+}
+
+static void read_exact_record(struct exact_record *out, struct certificate *c)
+{
+    struct record r = begin_noted(c, "exact", &out->record.line);
+
+    out->m = read_decimal(&r, 0, MAX_VALENCE_1);
+    out->sign = read_sign(&r);
+    out->a = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
+    out->q = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
+    out->j = (int)read_decimal(&r, 0, MAX_PIVOT);
+    out->record.power = (int)read_decimal(&r, 0, MAX_POWER);
+    out->record.m = span_of(out->m);
+    end_record(&r);
+    if (2 * out->m > c->valence.first || (out != c->exact.line && out->m <= out[-1].m))
+        rejected(c->file, r.line, "exact: frequencies have to rise, up to k/2");
+    if (out->q < 1 || out->q > out->a)
+        rejected(c->file, r.line, "exact: it must be 1 <= q <= a");
+}
+
+static void read_exact_records(struct certificate *c)
+{
+    struct exact_choices *e = &c->exact;
+
+    e->line = allocate(MAX_EXACT, sizeof e->line[0]);
+    while (e->count == 0 || next_is(c, "exact")) {
+        if (e->count == MAX_EXACT)
+            cannot_check_at(c->file, c->line, 0, "expected at most %d exact blocks", MAX_EXACT);
+        read_exact_record(&e->line[e->count], c);
+        e->count++;
+    }
+}
+
+/* What proves the eigenvalue and bounds the rest. */
+static void read_root(struct certificate *c, int d)
+{
+    struct exact_choices *e = &c->exact;
+    int bits = c->grid + BITS_ABOVE_GRID, line;
+
+    read_factor(c, d);
+    read_hex_record(&e->eigenvalue, 1, c, "eigenvalue", bits, &e->line_of.eigenvalue);
+    read_hex_record(&e->radius, 1, c, "radius", bits, &line);
+    if (e->radius.sign <= 0)
+        rejected(c->file, line, "radius: it is not positive");
+    e->others.power = (int)read_decimal_record(c, "others", 0, MAX_POWER, &e->others.line);
+}
+
+/* The records of exact.md from `field` on. */
+static void read_exact(struct certificate *c)
+{
+    struct exact_choices *e = &c->exact;
+    int d;
+
+    c->frequency = -1;
+    e->field = (int)read_decimal_record(c, "field", MIN_FIELD, MAX_FIELD, &e->line_of.field);
+    d = field_degree(e->field);
+    if (d > MAX_DEGREE)
+        cannot_check_at(c->file, e->line_of.field, 0, "field: its degree is beyond %d",
+                        MAX_DEGREE);
+    if (c->reason != REASON_MODULUS_ONE)
+        read_root(c, d);
+    read_exact_records(c);
+    if (c->reason == REASON_MODULUS_ONE && e->count > 1)
+        rejected(c->file, e->line[1].record.line, "exact: expected one only");
+    if (c->reason != REASON_MODULUS_ONE)
+        read_blocks(c);
+    check_total_power(c);
+    if (c->reason == REASON_JORDAN)
+        read_trees(&c->boundary, c, "boundary");
+    for (int i = 0; i < (c->reason == REASON_TIE ? 2 : 1) && c->reason != REASON_JORDAN; i++)
+        read_witness(c);
+}
+
+void certificate_read_form(struct certificate *out, bool plainly_regular)
+{
+    struct record r = begin_noted(out, "contraction", &out->line_of.contraction);
+
+    for (int i = 0; i < 3; i++)
+        out->contraction[i] = (int)read_decimal(&r, 1, MAX_CONTRACTION);
+    end_record(&r);
+    out->real = true;
+    out->frequency = 1;
+    for (int i = 0; i < 3; i++)
+        out->stability[i] = 1024;
+    if (out->version == 0 || plainly_regular)
+        return;
+    r = begin_noted(out, "stability", &out->line_of.stability);
+    for (int i = 0; i < 3; i++) {
+        out->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
+        out->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
+    }
+    end_record(&r);
+    if (out->claim == CLAIM_NOT_C1)
+        read_reason(out);
+    if (certificate_is_exact(out)) {
+        read_exact(out);
+        return;
+    }
+    if (out->claim == CLAIM_NOT_C1)
+        read_frequency(out);
+    read_form(out);
+}
+
+void certificate_read_choices(struct certificate *out, int n, int n_second)
 {
     out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
     out->n = n;
@@ -592,6 +782,8 @@ void certificate_read_choices(struct certificate *out, int n)
         read_window(out);
     else
         read_eigenpair(&out->pair, out);
+    if (out->reason == REASON_REAL)
+        read_second(out, n_second);
     if (out->version == 0)
         read_powers_0(out);
     else if (out->reason != REASON_NOT_C0 && span_is_several(out->valence))

@@ -10,7 +10,7 @@
  * check.
  */
 
-#include "integer.h"
+#include "field.h"
 #include "span.h"
 
 /* P for the frequencies m */
@@ -62,6 +62,27 @@ struct witness {
     int line;
 };
 
+/* `exact m s a q j P` of exact.md. */
+struct exact_record {
+    int64_t m;
+    int sign, a, q, j;
+    struct block_record record;
+};
+
+/* What proves that eigenvalues are equal: exact.md. */
+struct exact_choices {
+    int field;                                     /* n */
+    int degree;                                    /* e of g */
+    integer *coefficient;                          /* of each Q, then d numerators */
+    integer eigenvalue, radius;
+    struct block_record others;
+    int count;
+    struct exact_record *line;
+    struct {
+        int field, factor, eigenvalue;
+    } line_of;
+};
+
 struct certificate {
     const char *file;
 
@@ -75,7 +96,10 @@ struct certificate {
     int contraction[3];
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
-    enum reason { REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD } reason;
+    enum reason {
+        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_REAL,
+        REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
+    } reason;
     int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
     int64_t window;                                /* window from there on, 2^-48; */
     integer bound;                                 /* with this R */
@@ -83,6 +107,9 @@ struct certificate {
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
     struct choices pair;
+    int64_t second_frequency;                      /* reason real: m' */
+    struct choices second;
+    struct exact_choices exact;                    /* tie, jordan, modulus-one */
     int blocks, rises, covers;
     struct block_record *block;
     struct rise *rise;
@@ -109,12 +136,16 @@ struct certificate {
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size);
 
-/* `contraction` and, if not plainly regular, what follows up to `form`. */
+/* `contraction` and, if not plainly regular, what follows up to `form`; of the reasons of exact.md
+ * all up to `records`. */
 void certificate_read_form(struct certificate *out, bool plainly_regular);
 
+/* Is the reason one of exact.md? */
+bool certificate_is_exact(const struct certificate *c);
+
 /* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
- * less than block 0 has). */
-void certificate_read_choices(struct certificate *out, int n);
+ * less than block 0 has); reason real: the second one has n_second. */
+void certificate_read_choices(struct certificate *out, int n, int n_second);
 
 void certificate_read_end(struct certificate *out);
 

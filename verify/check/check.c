@@ -10,6 +10,7 @@
 #include "spectrum.h"
 #include "stability.h"
 #include "text.h"
+#include "ties.h"
 #include "window.h"
 
 #include <string.h>
@@ -222,29 +223,52 @@ static interval *constants(const struct affine *matrix, int size)
     return affine_constants(matrix, (size_t)size * (size_t)size);
 }
 
-/* The rest: all blocks, with `matrix` for that of L, which comes first. */
-static void check_rest(const struct block *block, const interval *matrix,
-                       const struct eigenpair *pair, const struct certificate *c)
+/* A block with an eigenpair that is left out of the rest; `choices` are about it. */
+struct known {
+    const struct certificate *choices;
+    const interval *matrix;
+    const struct eigenpair *pair;
+};
+
+/* The rest: all blocks, the known ones first; `real` is the form of the others, and s is that of
+ * the pairs. */
+static void check_rest(const struct known *known, int count, const struct valence *valence,
+                       bool real, interval s, const struct certificate *c)
 {
-    for (int i = 0; i < c->blocks; i++)
-        if (c->block[i].m.first == c->frequency)
-            spectrum_prove_rest(matrix, c->size, c->grid, pair, &c->block[i], c);
+    const struct eigenpair none = { .s = s };
+    bool is_known[2];
+
+    for (int n = 0; n < count; n++)
+        for (int i = 0; i < c->blocks; i++)
+            if (c->block[i].m.first == known[n].choices->frequency)
+                spectrum_prove_rest(known[n].matrix, known[n].choices->size, c->grid,
+                                    known[n].pair, &c->block[i], known[n].choices);
     for (int i = 0; i < c->blocks; i++) {
         struct mark mark = scratch_mark();
-        struct valence v = *block->v;
+        struct valence v = *valence;
         struct block other;
         struct span m = c->block[i].m;
 
-        if (m.first == c->frequency)
+        for (int n = 0; n < 2; n++)
+            is_known[n] = n < count && m.first == known[n].choices->frequency;
+        if (is_known[0] || is_known[1])
             continue;
         v.reference.line = c->block[i].line;
         if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
             m.first--;                             /* a box of its own is too long */
-        block_prepare(&other, &v, c->frequency == 0 ? v.scheme->mirrored : c->real, m);
+        block_prepare(&other, &v, real, m);
         spectrum_prove_rest(constants(block_matrix(&other), other.size), other.size,
-                            c->grid, pair, &c->block[i], c);
+                            c->grid, &none, &c->block[i], c);
         scratch_release(mark);
     }
+}
+
+/* The matrix of a block: in the plain form that of differences. */
+static const interval *find_matrix(const struct block *block, struct affine *b)
+{
+    return block->plain
+         ? constants(spectrum_without_constants(b, block->n), block->n - 1)
+         : constants(b, block->size);
 }
 
 /* block: that of L.  In the plain form the eigenpair is about differences, and comes
@@ -253,11 +277,12 @@ static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
     struct affine *b = block_matrix(block);
-    const interval *matrix = constants(block->plain ? spectrum_without_constants(b, block->n)
-                                                    : b, c->size);
+    const interval *matrix = find_matrix(block, b);
     struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
+    struct known known = { c, matrix, &pair };
 
-    check_rest(block, matrix, &pair, c);
+    check_rest(&known, 1, block->v, c->frequency == 0 ? block->v->scheme->mirrored : c->real,
+               pair.s, c);
     if (block->plain)
         pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
     return pair;
@@ -293,7 +318,87 @@ static void decide(const struct characteristic *characteristic, const struct cer
     case REASON_FOLD:
         decide_fold(characteristic, c);
         break;
+    default:                                       /* the others have checks of their own */
+        cannot_check("the checker does not know how to decide this");
     }
+}
+
+/* Section 10, `real`
+ * ------------------ */
+
+/* The eigenpair of a block as its net, and what is about it. */
+struct function {
+    struct certificate choices;
+    struct block block;
+    struct affine *b;
+    const interval *matrix;
+    struct eigenpair pair;
+    interval modulus;
+    struct characteristic net;
+};
+
+static struct function *prove_function(const struct block *block,
+                                       const struct certificate *choices)
+{
+    struct function *out = allocate(1, sizeof *out);
+
+    out->choices = *choices;
+    out->block = *block;
+    out->b = block_matrix(block);
+    out->matrix = find_matrix(block, out->b);
+    out->pair = spectrum_prove_eigenpair(out->matrix, choices->grid, &out->choices);
+    out->modulus = interval_abs(affine_range(out->pair.real));
+    return out;
+}
+
+static void prepare_function(struct function *f, const struct mask q[3])
+{
+    if (f->block.plain)
+        f->pair.unknowns = spectrum_with_constants(f->pair.unknowns, f->pair.real, f->b,
+                                                   f->block.n, f->choices.grid);
+    characteristic_prepare(&f->net, &f->block, &f->pair, q, &f->choices);
+}
+
+static struct verified check_real(const struct statement *s, const struct block *block,
+                                  const struct certificate *c)
+{
+    struct verified out = { .real = false, .frequency = c->frequency, .g = c->grid };
+    struct certificate *own = allocate(1, sizeof *own);
+    struct function *first = prove_function(block, c), *second;
+    struct block other;
+
+    *own = *c;
+    own->frequency = c->second_frequency;
+    own->pair = c->second;
+    block_prepare(&other, block->v, true, span_of(c->second_frequency));
+    own->n = own->size = other.n;
+    second = prove_function(&other, own);
+    if (integer_compare(second->modulus.hi, first->modulus.lo) >= 0)
+        rejected(c->file, c->second.line_of.eigenvalue,
+                 "eigenvalue: |l'| is not proved to be smaller than |l|");
+    first->pair.s = second->pair.s;
+
+    struct known known[2] = { { &first->choices, first->matrix, &first->pair },
+                              { &second->choices, second->matrix, &second->pair } };
+
+    check_rest(known, 2, block->v, true, second->pair.s, c);
+    prepare_function(first, s->q);
+    prepare_function(second, s->q);
+    decide_independent(&first->net, &second->net, c);
+    out.eigenvalue = first->modulus;
+    return out;
+}
+
+/* exact.md. */
+static struct verified check_ties(const struct statement *s, const struct valence *v,
+                                  const struct certificate *c)
+{
+    struct tie tie = tie_prove(v, s->q, c);
+
+    check_rest(NULL, 0, v, s->scheme.mirrored, tie.s, c);
+    return (struct verified) { .real = false, .frequency = tie.frequency,
+                               .eigenvalue = tie.lambda, .exact = c->reason == REASON_MODULUS_ONE,
+                               .g = c->grid };
 }
 
 static struct verified check_window(const struct statement *s, const struct valence *v,
@@ -305,14 +410,51 @@ static struct verified check_window(const struct statement *s, const struct vale
     return out;
 }
 
+/* One eigenpair, and what its function decides. */
+static struct verified check_eigenpair(const struct statement *s, const struct block *block,
+                                       const struct certificate *c)
+{
+    struct verified out = { .real = c->real && !s->not_c1, .frequency = c->frequency,
+                            .g = c->grid };
+    struct eigenpair pair = span_is_several(c->valence) ? valences_prove_spectrum(block, c)
+                                                        : check_spectrum(block, c);
+    struct characteristic characteristic;
+
+    if (c->version == 0)
+        check_nonnegative(s, c);
+    characteristic_prepare(&characteristic, block, &pair, s->q, c);
+    decide(&characteristic, c);
+    out.eigenvalue = eigenvalue_size(&pair, out.real, c->grid);
+    return out;
+}
+
+/* The block that the certificate's choices are about. */
+static void prepare_block(struct block *out, const struct valence *v,
+                          const struct certificate *c)
+{
+    if (span_is_several(c->valence))
+        valences_prepare_block(out, v, c->frequency);
+    else
+        block_prepare(out, v, c->real, span_of(c->frequency));
+}
+
+/* How many unknowns have blocks in the real form? */
+static int real_unknowns(const struct valence *v)
+{
+    struct mark mark = scratch_mark();
+    struct block block;
+
+    block_prepare(&block, v, true, span_of(1));
+    scratch_release(mark);
+    return block.n;
+}
+
 static struct verified check_choices(struct statement *s, struct certificate *c)
 {
     struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
-    struct characteristic characteristic;
-    struct eigenpair pair;
     struct block block;
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
@@ -325,14 +467,19 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_contraction(s, c);
         return out;
     }
-    if (c->real && (c->frequency != 0 || several) && !s->scheme.mirrored)
-        rejected(c->file, c->line_of.form,
-                 "form: the scheme is not evidently mirror-symmetric");
-    if (several)
-        valences_prepare_block(&block, v, c->frequency);
-    else
-        block_prepare(&block, v, c->real, span_of(c->frequency));
-    certificate_read_choices(c, block.plain ? block.n - 1 : block.n);
+    if (certificate_is_exact(c)) {
+        certificate_read_end(c);
+        check_contraction(s, c);
+        check_stability(s, c);
+        return check_ties(s, v, c);
+    }
+    if ((c->real && (c->frequency != 0 || several) && !s->scheme.mirrored) ||
+        (c->reason == REASON_REAL && !(c->real && s->scheme.mirrored)))
+        rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
+                 ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
+    prepare_block(&block, v, c);
+    certificate_read_choices(c, block.plain ? block.n - 1 : block.n,
+                             c->reason == REASON_REAL ? real_unknowns(v) : 0);
     certificate_read_end(c);
 
     check_contraction(s, c);
@@ -340,15 +487,9 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_stability(s, c);
     if (c->frequency < 0)
         return check_window(s, v, c);
-    pair = several ? valences_prove_spectrum(&block, c) : check_spectrum(&block, c);
-    if (c->version == 0)
-        check_nonnegative(s, c);
-    characteristic_prepare(&characteristic, &block, &pair, s->q, c);
-    decide(&characteristic, c);
-    out.real = c->real && !s->not_c1;
-    out.frequency = c->frequency;
-    out.eigenvalue = eigenvalue_size(&pair, out.real, c->grid);
-    return out;
+    if (c->reason == REASON_REAL)
+        return check_real(s, &block, c);
+    return check_eigenpair(s, &block, c);
 }
 
 struct span check_valences(const char *file)

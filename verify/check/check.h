@@ -1,7 +1,7 @@
 #ifndef CHECK_CHECK_H
 #define CHECK_CHECK_H
 
-/* The check of a certificate: sections 3 to 9 of certificate.md. */
+/* The check of a certificate: sections 3 to 10 of certificate.md, and exact.md. */
 
 #include "scheme.h"
 
@@ -13,6 +13,7 @@ struct statement *statement_new(const char *scheme_file, struct setting *setting
 
 struct verified {
     bool plainly_regular, real;
+    bool exact;                                    /* L is 1 or -1 */
     int64_t frequency;                             /* m; -1: a window of frequencies */
     interval eigenvalue;                           /* L or |L|, on the grid g */
     int g;

@@ -386,12 +386,11 @@ void decide_outer_curve(const struct characteristic *c,
     check_elements(&t, c->segment, c->segments);
 }
 
-/* What t decides holds for the descendant that the witness names. */
-static void check_witness(const struct tree *t, const struct element *element,
-                          int elements, const struct witness *w)
+/* The boxes on the descendant that the witness names. */
+static void find_witness(struct pair box[MAX_FUNCTIONS], const struct tree *t,
+                         const struct element *element, int elements,
+                         const struct witness *w)
 {
-    struct mark mark = scratch_mark();
-    struct pair box[MAX_FUNCTIONS];
     struct patches patches;
     enum element_kind kind;
 
@@ -412,6 +411,16 @@ static void check_witness(const struct tree *t, const struct element *element,
     }
     for (int i = 0; i < t->functions; i++)
         box[i] = patch_box(patches.of[i], t->f[i], kind, t->c->version_0);
+}
+
+/* What t decides holds there. */
+static void check_witness(const struct tree *t, const struct element *element,
+                          int elements, const struct witness *w)
+{
+    struct mark mark = scratch_mark();
+    struct pair box[MAX_FUNCTIONS];
+
+    find_witness(box, t, element, elements, w);
     if (!t->decide(t, box))
         rejected(t->certificate->file, w->line, "witness: it does not show what it should");
     scratch_release(mark);
@@ -432,4 +441,35 @@ void decide_fold(const struct characteristic *c, const struct certificate *certi
     check_witness(&t, c->element, c->elements, &certificate->witness[0]);
     t.decide = jacobian_is_negative;
     check_witness(&t, c->element, c->elements, &certificate->witness[1]);
+}
+
+/* Is one of the four determinants of a part of c and a part of d not 0? */
+static bool is_independent(const struct pair c[2], const struct pair d[2], int g)
+{
+    const struct affine of_c[2][2] = { { c[0].x, c[1].x }, { c[0].y, c[1].y } };
+    const struct affine of_d[2][2] = { { d[0].x, d[1].x }, { d[0].y, d[1].y } };
+
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 2; j++) {
+            struct affine det = affine_sub(affine_mul(of_c[i][0], of_d[j][1], g),
+                                           affine_mul(of_c[i][1], of_d[j][0], g));
+
+            if (!interval_contains_zero(affine_range(det)))
+                return true;
+        }
+    }
+    return false;
+}
+
+void decide_independent(const struct characteristic *c, const struct characteristic *d,
+                        const struct certificate *certificate)
+{
+    struct tree t = regularity_tree(c, certificate), of_d = regularity_tree(d, certificate);
+    struct pair box[2][MAX_FUNCTIONS];
+    const struct witness *w = &certificate->witness[0];
+
+    find_witness(box[0], &t, c->element, c->elements, w);
+    find_witness(box[1], &of_d, d->element, d->elements, w);
+    if (!is_independent(box[0], box[1], c->block->v->g))
+        rejected(certificate->file, w->line, "witness: it does not show what it should");
 }

@@ -21,4 +21,9 @@ void decide_outer_curve(const struct characteristic *c,
 void decide_not_zero(const struct characteristic *c, const struct certificate *certificate);
 void decide_fold(const struct characteristic *c, const struct certificate *certificate);
 
+/* The witness of `real`: a place where the derivatives of two functions, each a part of c's or of
+ * d's, are not parallel. */
+void decide_independent(const struct characteristic *c, const struct characteristic *d,
+                        const struct certificate *certificate);
+
 #endif

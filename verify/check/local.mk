@@ -18,6 +18,7 @@ CHECK_SOURCES = \
   verify/check/mask.h verify/check/mask.c \
   verify/check/symmetry.h verify/check/symmetry.c \
   verify/check/scheme.h verify/check/scheme.c \
+  verify/check/field.h verify/check/field.c \
   verify/check/certificate.h verify/check/certificate.c \
   verify/check/regular.h verify/check/regular.c \
   verify/check/stability.h verify/check/stability.c \
@@ -34,6 +35,10 @@ CHECK_SOURCES = \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
   verify/check/window.h verify/check/window.c \
+  verify/check/exact_formula.h verify/check/exact_formula.c \
+  verify/check/exact_block.h verify/check/exact_block.c \
+  verify/check/polynomial.h verify/check/polynomial.c \
+  verify/check/ties.h verify/check/ties.c \
   verify/check/check.h verify/check/check.c \
   verify/check/claim.h verify/check/claim.c \
   verify/check/folder.h verify/check/folder.c \

@@ -218,6 +218,10 @@ static void print_verified(const char *scheme, bool not_c1, struct span k,
         printf("a window of frequencies: ");
     else if (not_c1)
         printf("frequency %lld: ", (long long)v->frequency);
+    if (v->exact) {
+        printf("|L| = 1)\n");
+        return;
+    }
     print_decimal(v->eigenvalue.lo, false, v->g);
     printf(" %s %s %s ", less, name, less);
     print_decimal(v->eigenvalue.hi, true, v->g);

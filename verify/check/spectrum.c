@@ -166,7 +166,7 @@ interval spectrum_prove_size(interval l, int g, const struct certificate *c)
             reject_small(c);
         return grid_from(0, g);
     }
-    if (c->reason == REASON_FREQUENCY && l.hi.sign < 0)
+    if ((c->reason == REASON_FREQUENCY || c->reason == REASON_REAL) && l.hi.sign < 0)
         l = interval_minus(l);
     if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
         rejected(c->file, c->pair.line_of.eigenvalue,
