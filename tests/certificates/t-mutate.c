@@ -103,15 +103,22 @@ static void judge_clear(judge *z)
     scheme_clear(&z->scheme);
 }
 
-/* The same choices on a grid that is finer by some bits. */
-static void refine_choices(choices *c, unsigned long bits)
+static void refine_pair(eigenpair_choice *e, unsigned long bits)
 {
-    eigenpair_choice *e = &c->eigenpair;
     for (int i = 0; i < e->n; i++)
         MUST(integer_mul_2exp(&e->approximation[i], &e->approximation[i], bits));
     MUST(integer_mul_2exp(&e->radius, &e->radius, bits));
-    MUST(integer_mul_2exp(&c->modulus, &c->modulus, bits));
     e->grid += (long)bits;
+}
+
+/* The same choices on a grid that is finer by some bits. */
+static void refine_choices(choices *c, unsigned long bits)
+{
+    refine_pair(&c->eigenpair, bits);
+    refine_pair(&c->second, bits);
+    MUST(integer_mul_2exp(&c->exact.eigenvalue, &c->exact.eigenvalue, bits));
+    MUST(integer_mul_2exp(&c->exact.radius, &c->exact.radius, bits));
+    MUST(integer_mul_2exp(&c->modulus, &c->modulus, bits));
     c->grid += (long)bits;
 }
 

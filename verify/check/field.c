@@ -90,7 +90,7 @@ void number_keep(struct mark mark, struct number *numbers, size_t count)
 }
 
 /* In lowest terms. */
-static void reduce(struct number *a)
+static void cancel(struct number *a)
 {
     integer gcd = a->den;
 
@@ -131,7 +131,7 @@ struct number number_of(const integer *part, integer den, const struct field *k)
 
     for (int i = 0; i < k->degree; i++)
         out.part[i] = part[i];
-    reduce(&out);
+    cancel(&out);
     return out;
 }
 
@@ -150,7 +150,7 @@ struct number number_add(const struct number *a, const struct number *b)
                            : integer_add(integer_mul(a->part[i], b->den),
                                          integer_mul(b->part[i], a->den));
     }
-    reduce(&out);
+    cancel(&out);
     number_keep(mark, &out, 1);
     return out;
 }
@@ -192,7 +192,7 @@ struct number number_mul(const struct number *a, const struct number *b,
                                                  integer_mul(product[i], k->minimal[j]));
     memcpy(out.part, product, (size_t)d * sizeof product[0]);
     out.den = integer_mul(a->den, b->den);
-    reduce(&out);
+    cancel(&out);
     number_keep(mark, &out, 1);
     return out;
 }
@@ -206,7 +206,7 @@ struct number number_scale(rational q, const struct number *a)
         if (a->part[i].sign != 0)
             out.part[i] = integer_mul(a->part[i], q.num);
     out.den = integer_mul(a->den, q.den);
-    reduce(&out);
+    cancel(&out);
     number_keep(mark, &out, 1);
     return out;
 }
