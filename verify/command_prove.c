@@ -28,7 +28,8 @@
 
 static const char help[] =
     "Usage: smoothcert prove SCHEME --valence LIST [OPTION]...\n"
-    "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence.\n"
+    "Proves that the scheme (a name of the catalogue, or a file) is C1 at vertices of each valence, or\n"
+    "that it is not.\n"
     "\n"
     "  --valence LIST        valences, such as 7 or 3..20,50 or 8..inf or all; up to 1,000 of them are\n"
     "                        examined one by one, more in ranges, as wide as can be decided at once\n"
@@ -46,8 +47,11 @@ static const char help[] =
     "  --out DIR|none        where certificates and logs go (default smoothcert-NAME, with the\n"
     "                        settings behind it); what is proved there already is only checked\n"
     "                        again\n"
-    "  --json                one JSON object per valence and line\n"
-    "  --help                this text\n";
+    "  --json                one JSON object per line, for each valence or range\n"
+    "  --help                this text\n"
+    "\n"
+    "Behind ranges a line sums up, such as \"butterfly, in 7 boxes: C1: 4..7; not C1: 3 (jordan) ...\".\n"
+    "Exit status: 0 everything was proved, 1 something was refuted, else 2 something stayed undecided.\n";
 
 /* More valences than that are examined in ranges, unless --each is given, which goes farther. */
 enum { MAX_EACH = 1000, MAX_EACH_FORCED = 100000 };

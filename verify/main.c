@@ -31,8 +31,9 @@ static const char help[] =
     "  smoothcert --help            this text\n"
     "  smoothcert --version         version of the program and of its certificates\n"
     "\n"
-    "Exit status of prove: 0 everything was proved, 2 something stayed undecided; errors: 64 usage,\n"
-    "65 bad input, 70 a fault of the program, 71 no memory, 74 input or output.\n";
+    "Exit status of prove: 0 everything was proved, 1 something was refuted, else 2 something stayed\n"
+    "undecided; errors: 64 usage, 65 bad input, 70 a fault of the program, 71 no memory, 74 input or\n"
+    "output, 130 interrupted.\n";
 
 int complain(int exit_status, const char *format, ...)
 {
