@@ -206,17 +206,49 @@ static void discard(void *result)
     free(a);
 }
 
+/* The widest range that holds k for which an earlier run has left a certificate, which begins at k if it has to; k alone: none.
+   (The index has longer ranges before shorter ones.) */
+static valence_range find_range(const prove_run *r, buffer *certificate, long k, bool from_k)
+{
+    for (size_t i = 0; i < r->earlier.count; i++) {
+        const archive_index_entry *e = &r->earlier.entry[i];
+        bool holds = from_k ? e->valences.first == k : e->valences.first <= k && k <= e->valences.last;
+        if (holds && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
+            return e->valences;
+    }
+    return one_valence(k);
+}
+
+/* By a certificate of many valences, so that two do not speak of one. */
+static bool decide_within_range(prove_run *r, answer *a, long k)
+{
+    buffer certificate;
+    bool decided;
+    valence_range range;
+    buffer_init(&certificate);
+    range = find_range(r, &certificate, k, false);
+    decided = !is_one_valence(range) && decide_by_certificate(&a->decision, &r->problem, range, &certificate, &r->options.limits);
+    buffer_clear(&certificate);
+    if (decided) {
+        a->earlier = archive_read(&r->archive, &certificate, range);
+        buffer_clear(&certificate);
+    }
+    return decided;
+}
+
 static void *decide(long i, void *data)
 {
     prove_run *r = data;
+    long k = valence_list_get(&r->list, i);
     answer *a = calloc(1, sizeof *a);
     buffer earlier;
     if (!a)
         return NULL;
     decision_init(&a->decision);
     buffer_init(&earlier);
-    a->earlier = archive_read(&r->archive, &earlier, one_valence(valence_list_get(&r->list, i)));
-    decide_valence(&a->decision, &r->problem, valence_list_get(&r->list, i), &earlier, &r->options.limits);
+    a->earlier = archive_read(&r->archive, &earlier, one_valence(k));
+    if (a->earlier != EARLIER_NONE || !decide_within_range(r, a, k))
+        decide_valence(&a->decision, &r->problem, k, &earlier, &r->options.limits);
     buffer_clear(&earlier);
     return a;
 }
@@ -359,16 +391,9 @@ static bool take(decision *d, void *data)
     return keeper_put(&r->keeper, a);
 }
 
-/* The index has longer ranges before shorter ones. */
 static valence_range find_earlier(buffer *certificate, long k, void *data)
 {
-    prove_run *r = data;
-    for (size_t i = 0; i < r->earlier.count; i++) {
-        const archive_index_entry *e = &r->earlier.entry[i];
-        if (e->valences.first == k && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
-            return e->valences;
-    }
-    return one_valence(k);
+    return find_range(data, certificate, k, true);
 }
 
 static void summarise(const prove_run *r)
@@ -393,9 +418,7 @@ static void summarise(const prove_run *r)
 static bool decide_ranges(prove_run *r)
 {
     partition p = {&r->problem, &r->options.limits, find_earlier, take, r};
-    bool more = !r->archive.path || archive_index_make(&r->earlier, r->archive.path, &r->archive.finished);
-    if (!more)
-        raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", r->archive.path, strerror(errno)));
+    bool more = true;
     for (int i = 0; more && i < r->list.ranges; i++)
         more = partition_run(&p, r->list.range[i]);
     return true;
@@ -404,6 +427,8 @@ static bool decide_ranges(prove_run *r)
 static int decide_all(prove_run *r)
 {
     bool ran;
+    if (r->archive.path && !archive_index_make(&r->earlier, r->archive.path, &r->archive.finished))
+        return complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: %s", r->archive.path, strerror(errno));
     progress_begin(&r->progress, r->list.count);
     keeper_start(&r->keeper);
     ran = (r->in_ranges ? decide_ranges : decide_each)(r);

@@ -238,7 +238,7 @@ bad_places() {
   "$SMOOTHCERT" prove loop --valence 4 --out taken >stdout 2>stderr
   mkdir taken/valence-3.cert
   expect certificate-cannot-be-stored 74 'taken' prove loop --valence 3 --out taken
-  contents certificate-cannot-be-stored-leaves-no-rest taken index journal lock runs scheme.scheme valence-3.cert valence-3.log valence-4.cert valence-4.log verify.sh
+  contents certificate-cannot-be-stored-leaves-no-rest taken index journal lock runs scheme.scheme valence-3.cert valence-4.cert valence-4.log verify.sh
   rm -rf taken
   if [ -c /dev/full ]; then
     for arguments in --help --version schemes 'schemes loop' 'schemes --help' 'prove --help' 'prove loop --valence 3,4 --out none'; do

@@ -134,3 +134,15 @@ forged no-chain 16..inf '/^rise /,/^cover /{/^cover /!d;}'
 forged another-end 16..inf '/^cover /s/ 800000000000 / 7fffffffffff /'
 forged a-hole 16..inf '0,/^cover /{/^cover /d;}'
 forged from-3-on 16..inf 's/^cover 2 inf /cover 3 inf /'
+
+# One valence of a range that is proved already needs no certificate of its own.
+"$SMOOTHCERT" prove loop --valence all --out whole >/dev/null
+ls whole >before
+"$SMOOTHCERT" prove loop --valence 20,1000 --out whole >stdout 2>stderr
+ls whole >after
+[ "$(grep -c 'by the certificate of an earlier run' stdout)" -eq 2 ] && [ ! -s stderr ] && cmp -s before after
+holds within-a-range $? "$(head -n 1 stdout stderr)"
+# The reference method steps through ranges, too.
+"$SMOOTHCERT" prove loop --valence all --method uniform --out none >stdout 2>stderr
+[ $? -eq 0 ] && tail -n 1 stdout | grep -q 'C1: 3..inf; uniform method: nets up to'
+holds uniform $? "$(tail -n 1 stdout)"
