@@ -356,12 +356,12 @@ static bool take(decision *d, void *data)
 }
 
 /* The index has longer ranges before shorter ones. */
-static valence_range find_earlier(buffer *certificate, long k, long last, void *data)
+static valence_range find_earlier(buffer *certificate, long k, void *data)
 {
     prove_run *r = data;
     for (size_t i = 0; i < r->earlier.count; i++) {
         const archive_index_entry *e = &r->earlier.entry[i];
-        if (e->valences.first == k && e->valences.last <= last && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
+        if (e->valences.first == k && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
             return e->valences;
     }
     return one_valence(k);

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* Of the first box, in u. */
 #define FIRST_WIDTH 0.04
@@ -39,12 +38,15 @@ static long end_of_box(long k, long last, double width)
 static bool decide_box(progress_of_partition *s, decision *d)
 {
     const partition *p = s->p;
-    for (;;) {
+    for (long tried = 0;;) {
         valence_range box = {s->k, end_of_box(s->k, s->range.last, s->width)};
         double width;
         diagnostic unused;
         if (scheme_decided_up_to(&box.last, p->problem->scheme, box, &unused) != STATUS_OK || box.last == s->k)
             return false;
+        if (box.last == tried)
+            return false; /* far out u, or the largest valence, allows no smaller box */
+        tried = box.last;
         width = u_of(box.last) - u_of(s->k);
         decide_range(d, p->problem, box, s->refuted, p->limits);
         if (d->verdict != VERDICT_UNDECIDED) {
@@ -66,7 +68,7 @@ static bool decide_as_before(const progress_of_partition *s, decision *d)
     valence_range k;
     bool decided = false;
     buffer_init(&earlier);
-    k = p->find_earlier(&earlier, s->k, s->range.last, p->data);
+    k = p->find_earlier(&earlier, s->k, p->data);
     if (earlier.length)
         decided = decide_by_certificate(d, p->problem, k, &earlier, p->limits);
     buffer_clear(&earlier);
@@ -78,18 +80,22 @@ static void leave_open(const progress_of_partition *s, decision *d)
     d->k = (valence_range){s->k, s->range.last};
     d->outcome = OUTCOME_FAIL;
     findings_begin(&d->findings, "ranges of valences", "exact", 0);
-    findings_explain(&d->findings, OUTCOME_FAIL, "%d valences in a row could be decided only one by one, which does not end", MAX_SINGLES);
+    if (s->k > CHOICES_MAX_VALENCE)
+        findings_explain(&d->findings, OUTCOME_FAIL, "no range without an end could be decided, and single valences go up to %d", CHOICES_MAX_VALENCE);
+    else
+        findings_explain(&d->findings, OUTCOME_FAIL, "%ld valences in a row could be decided only one by one, which does not end", s->singles);
     findings_last(&d->findings)->outcome = OUTCOME_FAIL;
 }
 
 /* The next decision, about a box from s->k on. */
 static void decide_next(progress_of_partition *s, decision *d)
 {
-    if (decide_as_before(s, d))
+    bool beyond = s->k > CHOICES_MAX_VALENCE;
+    if (!beyond && decide_as_before(s, d))
         return;
-    if (decide_box(s, d)) {
+    if (!beyond && decide_box(s, d)) {
         s->singles = 0;
-    } else if (s->range.last == VALENCES_UNBOUNDED && s->singles >= MAX_SINGLES) {
+    } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || s->singles >= MAX_SINGLES)) {
         leave_open(s, d);
     } else {
         decide_valence(d, s->p->problem, s->k, NULL, s->p->limits);
@@ -110,7 +116,8 @@ bool partition_run(const partition *p, valence_range range)
 {
     progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0, false};
     bool more = true;
-    for (long last = 0; more && last != range.last; s.k = last + 1) {
+    while (more) {
+        long last;
         decision d;
         decision_init(&d);
         decide_next(&s, &d);
@@ -118,8 +125,9 @@ bool partition_run(const partition *p, valence_range range)
         note_refutation(&s, &d);
         more = p->take(&d, p->data);
         decision_clear(&d);
-        if (last == range.last)
+        if (last >= range.last) /* a certificate of an earlier run may go on */
             break;
+        s.k = last + 1;
     }
     return more;
 }

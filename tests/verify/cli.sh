@@ -188,6 +188,18 @@ archives() {
 # midpoint scheme of high degree has large ones.
 patience() {
   if command -v timeout >/dev/null 2>&1; then
+    # Beyond 10^8 doubles know no u = cos(pi/k) but 1, so that no smaller box can be found by it.
+    timeout -s KILL 60 "$SMOOTHCERT" prove loop --valence 1000000000..inf --out none >stdout 2>stderr
+    status=$? wanted=2 message='undecided: loop at valences 1000000001..inf; ' name=range-that-cannot-be-halved
+    judge
+    # One valence that stands out, and only that, must not leave narrow boxes behind for ever.
+    sed 's|(1,0) *spectrum.*|(1,0) spectrum cases(m = 0: a; m = 1: l; 2*m = k and k = 500: 3/5; else: others)|' "$SRCDIR/lib/catalogue/loop-ring.scheme" >narrow.scheme
+    timeout -s KILL 60 "$SMOOTHCERT" prove narrow.scheme --valence 3..10000 --out none >stdout 2>stderr
+    status=$? wanted=1 message='C1: 3..499, 501..10000; not C1: 500 (real)' name=boxes-grow-again
+    judge
+    [ "$(wc -l <stdout)" -lt 400 ]
+    holds boxes-are-few $? "$(tail -n 1 stdout)"
+    rm narrow.scheme
     timeout -s KILL 60 "$SMOOTHCERT" prove kobbelt --valence 1000000000 --time-limit 1 --out none >stdout 2>stderr
     status=$? wanted=2 message='undecided: kobbelt at valence 1000000000; ' name=time-limit
     judge
