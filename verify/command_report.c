@@ -237,6 +237,8 @@ static int make(const options *o, report *r, gallery *g)
         report_choose(r, o->listed ? &o->list : NULL);
     for (size_t i = 0; s == REPORT_OK && i < r->count; i++)
         s = report_follow(r, &r->entry[i]);
+    if (s == REPORT_OK)
+        s = report_compare_with_limit(r);
     if (s == REPORT_OK && !draw_all(g, r))
         s = REPORT_NO_MEMORY;
     for (size_t i = 0; s == REPORT_OK && i < g->count; i++)

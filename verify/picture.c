@@ -23,7 +23,18 @@ void picture_clear(picture *z)
     free(z->signs.leaf);
     free(z->x);
     free(z->y);
+    free(z->control);
     picture_init(z, false);
+}
+
+double picture_distance(const picture *a, const picture *b)
+{
+    double distance = 0;
+    if (!a->control || !b->control || a->controls != b->controls)
+        return NAN;
+    for (size_t i = 0; i < a->controls; i++)
+        distance = fmax(distance, fabs(a->control[i] - b->control[i]));
+    return distance;
 }
 
 /* ---- leaves ---- */

@@ -38,6 +38,9 @@ typedef struct {
     double error[PICTURE_ERRORS]; /* V x, V y, D1 x, D1 y, D2 x, D2 y; NaN: no such tree */
     picture_leaves tree;   /* the trees of the certificate */
     picture_leaves signs;  /* trees that end where the Jacobian is known well enough, or at PICTURE_DEPTH */
+    double *control;    /* real form, frequency 1: the control net in the coordinates (x, y) of certificates, in which nets have a limit as the
+                           valence grows, so many numbers, x(1,b) = 1 for the first point */
+    size_t controls;
     /* with_net: */
     const ring *ring;
     mesh_kind mesh;
@@ -51,6 +54,9 @@ enum { PICTURE_DEPTH = 5 };
 
 void picture_init(picture *z, bool with_net);
 void picture_clear(picture *z);
+
+/* The largest difference of a coordinate of the control nets; NaN: they cannot be compared. */
+double picture_distance(const picture *a, const picture *b);
 
 bool picture_add_leaf(picture_leaves *z, const picture_leaf *leaf); /* false: no memory */
 /* The leaves of the trees in `word` for the elements; bounds unknown.  false: no memory, or the word is not one. */

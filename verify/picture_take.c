@@ -164,6 +164,23 @@ static outcome copy_net(picture *p, const sector_net *net)
     return OUTCOME_TRUE;
 }
 
+/* The analysis's own net, scaled by x at its first point. */
+static outcome take_control(picture *p, const analysis *a)
+{
+    const sector_net *net = &a->net;
+    size_t size = (size_t)sector_size(net->rings);
+    double unit = number_mid_approx(&net->x[sector_index(net, 1, net->mesh == MESH_DUAL ? 1 : 0)]);
+    p->control = malloc(2 * size * sizeof *p->control);
+    if (!p->control)
+        return OUTCOME_NO_MEMORY;
+    p->controls = 2 * size;
+    for (size_t i = 0; i < size; i++) {
+        p->control[2 * i] = number_mid_approx(&net->x[i]) / unit;
+        p->control[2 * i + 1] = number_mid_approx(&net->y[i]) / unit;
+    }
+    return OUTCOME_TRUE;
+}
+
 static outcome take_net(picture *p, analysis *a)
 {
     const ring *g = &a->plan->problem->geometry;
@@ -206,6 +223,8 @@ static outcome take(picture *p, const analysis *of, findings *unused)
         o = visit(&a, p, &p->tree, &c->regularity, false);
     if (o == OUTCOME_TRUE && of->replay && c->boundary.length)
         o = visit(&a, p, NULL, &c->boundary, true);
+    if (o == OUTCOME_TRUE && c->frequency == 1 && !c->eigenpair.complex_form)
+        o = take_control(p, of);
     if (o == OUTCOME_TRUE && p->with_net)
         o = take_net(p, &a);
     return o;

@@ -144,7 +144,8 @@ void prove_print_json(const char *name, const decision *d, const char *certifica
             json_add_string(&b, "reason", d->reason);
             if (d->findings.eigenvalue)
                 json_add_string(&b, "eigenvalue", d->findings.eigenvalue);
-            buffer_print(&b, ",\"frequency\":%ld", d->frequency);
+            if (d->claim != CLAIM_WINDOW) /* there it is another one at each valence */
+                buffer_print(&b, ",\"frequency\":%ld", d->frequency);
         }
         json_add_string(&b, "system", d->plainly_regular ? "exact" : d->system);
         buffer_print(&b, ",\"precision\":%ld", d->plainly_regular ? 0 : d->precision);

@@ -39,6 +39,7 @@ typedef struct {
     long elements;       /* in the certificate's trees */
     point witness[2];    /* of a fold, where the Jacobian is positive and negative */
     picture picture;
+    double distance;     /* of the control net from that of the largest valence; NaN: not known */
     bool shown;          /* is it among those of which maps are drawn? */
     long at;             /* then at this valence, */
     char at_name[24];    /*   as text */
@@ -49,6 +50,7 @@ typedef struct {
     archive_view view;
     scheme scheme;
     problem problem;
+    picture limit;       /* at the largest valence there is: nets are as good as at their limit there */
     report_entry *entry; /* by valences */
     size_t count;
     char complaint[512]; /* what is wrong, and where */
@@ -64,6 +66,8 @@ report_status report_read(report *z, const char *path);
 void report_choose(report *z, const valence_list *list);
 /* Follows the certificate of an entry, and takes its picture. */
 report_status report_follow(report *z, report_entry *e);
+/* How far the nets of all entries are from their limit; after they were followed. */
+report_status report_compare_with_limit(report *z);
 
 const char *report_reason(const report_entry *e); /* of a refutation, in a few words */
 
@@ -76,7 +80,7 @@ void report_curve(buffer *z, const report *r, const report_entry *e);
 /* The moduli of eigenvalues by block.  REPORT_BAD_INPUT: there are none to be shown. */
 report_status report_spectrum(buffer *z, const report *r, const report_entry *e);
 
-typedef enum { REPORT_EIGENVALUES, REPORT_ELEMENTS, REPORT_LEVELS, REPORT_JACOBIAN, REPORT_ERRORS, REPORT_RADIUS, REPORT_PRECISION, REPORT_PLOTS } report_plot;
+typedef enum { REPORT_EIGENVALUES, REPORT_ELEMENTS, REPORT_LEVELS, REPORT_JACOBIAN, REPORT_ERRORS, REPORT_RADIUS, REPORT_DISTANCE, REPORT_PRECISION, REPORT_PLOTS } report_plot;
 const char *report_plot_name(report_plot which);
 const char *report_plot_caption(report_plot which);
 /* Over all valences.  false: there is nothing to be seen. */

@@ -22,6 +22,7 @@ void report_init(report *z)
     archive_view_init(&z->view);
     scheme_init(&z->scheme);
     problem_init(&z->problem);
+    picture_init(&z->limit, false);
 }
 
 void report_clear(report *z)
@@ -29,6 +30,7 @@ void report_clear(report *z)
     for (size_t i = 0; i < z->count; i++)
         picture_clear(&z->entry[i].picture);
     free(z->entry);
+    picture_clear(&z->limit);
     problem_clear(&z->problem);
     scheme_clear(&z->scheme);
     archive_view_clear(&z->view);
@@ -317,16 +319,16 @@ static report_status replay(report *z, report_entry *e, const buffer *text)
 }
 
 /* How far a search in double intervals comes at one valence, for a picture of what is undecided, or of one of many. */
-static report_status look(report *z, report_entry *e)
+static report_status look(report *z, picture *p, long valence)
 {
     deadline never = {0};
-    analysis_plan plan = {.problem = &z->problem, .deadline = &never, .system = "interval", .max_level = 6, .picture = &e->picture};
+    analysis_plan plan = {.problem = &z->problem, .deadline = &never, .system = "interval", .max_level = 6, .picture = p};
     findings f;
     choices c;
     outcome o;
     findings_init(&f);
     choices_init(&c);
-    c.k = one_valence(e->at);
+    c.k = one_valence(valence);
     o = analysis_search(&f, &c, &plan, 0);
     choices_clear(&c);
     findings_clear(&f);
@@ -340,7 +342,7 @@ report_status report_follow(report *z, report_entry *e)
     e->picture.with_net = e->shown;
     e->jacobian = e->radius = NAN;
     if (e->verdict == VERDICT_UNDECIDED)
-        return e->shown ? look(z, e) : REPORT_OK;
+        return e->shown ? look(z, &e->picture, e->at) : REPORT_OK;
     buffer_init(&text);
     result = read_file(z, &text, e, ARCHIVE_CERTIFICATE);
     if (result == REPORT_OK)
@@ -351,6 +353,19 @@ report_status report_follow(report *z, report_entry *e)
     }
     buffer_clear(&text);
     if (result == REPORT_OK && e->shown && !is_one_valence(e->k) && e->verdict == VERDICT_PROVED)
-        result = look(z, e);
+        result = look(z, &e->picture, e->at);
+    return result;
+}
+
+report_status report_compare_with_limit(report *z)
+{
+    report_status result = REPORT_OK;
+    bool any = false;
+    for (size_t i = 0; i < z->count; i++)
+        any = any || (z->entry[i].picture.control && is_one_valence(z->entry[i].k));
+    if (any)
+        result = look(z, &z->limit, CHOICES_MAX_VALENCE);
+    for (size_t i = 0; i < z->count; i++)
+        z->entry[i].distance = is_one_valence(z->entry[i].k) ? picture_distance(&z->entry[i].picture, &z->limit) : NAN;
     return result;
 }

@@ -101,6 +101,11 @@ static span eigenpair_radius(const report_entry *e)
     return is_usual(e) ? single(e->radius) : nothing();
 }
 
+static span distance(const report_entry *e)
+{
+    return is_usual(e) ? single(e->distance) : nothing();
+}
+
 static span uniform_error(const report_entry *e)
 {
     return single(e->log.error);
@@ -143,6 +148,9 @@ static const plot_kind kinds[REPORT_PLOTS] = {
     [REPORT_RADIUS] = {"eigenpair", "The box of the eigenvector and its eigenvalue", "radius",
         "How exactly the certificate gives the dominant eigenvector, one component being 1, and its eigenvalue.", true, false, 1,
         {{"radius", SVG_SQUARE, SVG_BLUE, eigenpair_radius}}},
+    [REPORT_DISTANCE] = {"limit", "Distance to the limit net", "distance",
+        "How far the control net of the characteristic map is from that of infinite valence: the largest difference of a coordinate of the certificate, the first point having x = 1. (Of each valence by itself; drawn from valence 10^9, and not proved.)",
+        true, false, 1, {{"distance", SVG_SQUARE, SVG_BLUE, distance}}},
     [REPORT_PRECISION] = {"precision", "Precision", "bits",
         "The bits of the numbers that found the proof (53: hardware intervals), or with which the last attempt was made.", false, true, 2,
         {{"decided", SVG_SQUARE, SVG_BLUE, precision}, {"undecided", SVG_CROSS, SVG_VERMILION, precision_of_undecided}}},

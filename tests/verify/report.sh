@@ -50,7 +50,7 @@ has proved-digest proved/report.html "title=\"$(awk '$1 == 7 { print $3 }' prove
 has proved-check proved/report.html '^<pre>smoothcert-check --scheme scheme.scheme --claim c1 --valence 3,4,5,6,7,8,9,10,11,12 \.'
 has proved-title proved/report.html '>Characteristic map of loop, valence 3<'
 # shellcheck disable=SC2012  # these names are simple
-[ "$(ls proved.svg | tr '\n' ' ')" = "eigenpair.svg eigenvalues.svg elements.svg errors.svg jacobian.svg levels.svg map-12.svg map-3.svg map-6.svg map-9.svg precision.svg spectrum-12.svg spectrum-3.svg spectrum-6.svg spectrum-9.svg " ]
+[ "$(ls proved.svg | tr '\n' ' ')" = "eigenpair.svg eigenvalues.svg elements.svg errors.svg jacobian.svg levels.svg limit.svg map-12.svg map-3.svg map-6.svg map-9.svg precision.svg spectrum-12.svg spectrum-3.svg spectrum-6.svg spectrum-9.svg " ]
 holds proved-figures $? "the figures are $(echo proved.svg/*)"
 
 # As the page says, in the directory itself.
