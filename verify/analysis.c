@@ -212,6 +212,10 @@ static outcome run_tests(analysis *a)
 {
     const analysis_test *tests = analysis_tests;
     outcome o = OUTCOME_TRUE;
+    if (!(tests[0].claims & 1U << a->choices->claim)) { /* the first test belongs to every claim that there is here */
+        findings_begin(a->findings, "claim", a->plan->system, a->prec);
+        return findings_last(a->findings)->outcome = findings_explain(a->findings, OUTCOME_FALSE, "claims of this kind are not proved of %s", is_one_valence(a->choices->k) ? "one valence" : "several valences at once");
+    }
     for (size_t i = 0; o == OUTCOME_TRUE && tests[i].run; i++) {
         if (!(tests[i].claims & 1U << a->choices->claim))
             continue;

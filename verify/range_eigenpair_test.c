@@ -62,6 +62,8 @@ static outcome bound(analysis *a)
 outcome test_eigenpair(analysis *a)
 {
     outcome o;
+    if (a->choices->eigenpair.complex_form)
+        return findings_explain(a->findings, OUTCOME_FALSE, "several valences at once need the real form");
     if (!a->plan->problem->scheme->mirror_symmetric)
         return findings_explain(a->findings, OUTCOME_FALSE, "several valences at once need a scheme that is evidently mirror-symmetric");
     o = make_block(a);

@@ -268,7 +268,10 @@ outcome test_window(analysis *a)
 {
     window_guess guess = {0, 0, 0};
     strong_part part = {-1, false};
-    outcome o = a->replay ? OUTCOME_TRUE : choose_window(a, &guess);
+    outcome o;
+    if (!a->plan->problem->scheme->mirror_symmetric)
+        return findings_explain(a->findings, OUTCOME_FALSE, "several valences at once need a scheme that is evidently mirror-symmetric");
+    o = a->replay ? OUTCOME_TRUE : choose_window(a, &guess);
     if (o == OUTCOME_TRUE && (integer_sign(&a->choices->window.bound) <= 0 || !begins_behind_one(a)))
         o = findings_explain(a->findings, OUTCOME_FALSE, "the window holds frequency 1");
     if (o != OUTCOME_TRUE)

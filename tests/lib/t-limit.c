@@ -45,7 +45,7 @@ static void check_value(const char *text, long first, bool expected, int low, in
     laurent_value x;
     rational value, exact;
     diagnostic d;
-    bool known;
+    bool known = false;
     rational_init(&value), rational_init(&exact);
     MUST(laurent_value_make(&x) && formula_laurent_value(&x, &known, f, (valence_range){first, VALENCES_UNBOUNDED}));
     CHECK(known == expected, "'%s' is %sknown", text, known ? "" : "not ");

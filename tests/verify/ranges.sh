@@ -146,3 +146,12 @@ holds within-a-range $? "$(head -n 1 stdout stderr)"
 "$SMOOTHCERT" prove loop --valence all --method uniform --out none >stdout 2>stderr
 [ $? -eq 0 ] && tail -n 1 stdout | grep -q 'C1: 3..inf; uniform method: nets up to'
 holds uniform $? "$(tail -n 1 stdout)"
+# Claims that are not made of several valences are not followed: none of their tests would run.
+"$SMOOTHCERT" prove butterfly --valence 8 --out eight >/dev/null
+for edit in 's/^valence 8$/valence 8 20/' 's/^valence 8$/valence 8 20/;s/^radius .*/&\nrange 1000000000000/'; do
+  sed "$edit" eight/valence-8.cert | awk '/^sha256 / { next } /^records / { print "records", NR - 1; next } { print }' >forged
+  printf 'sha256 %s\n' "$(sha256sum <forged | cut -d ' ' -f 1)" >>forged
+  "$SMOOTHCERT" show forged >stdout 2>&1
+  ! grep -q 'followed  *yes' stdout
+  holds "claim-of-one-valence-$(wc -l <forged)" $? "$(grep followed stdout)"
+done
