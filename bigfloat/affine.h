@@ -51,11 +51,27 @@ static inline void affine_constant(affine *z, const number *c)
     number_zero(&z->slope);
 }
 
-/* All numbers of c at some t: (middle, radius), both thin. */
-static inline void affine_spread(affine *z, const number *c, long prec)
+/* All numbers from those of `low` to those of `high`, at some t: the middle of the outermost ends, and how far these are from it,
+   thin both.  (Not by way of their hull: the middle of a wide ball has few digits.) */
+static inline void affine_between(affine *z, const number *low, const number *high, long prec)
 {
-    number_radius_upper(&z->slope, c, prec);
-    number_midpoint(&z->centre, c, prec);
+    number first, last, middle;
+    number_init(&first);
+    number_init(&last);
+    number_init(&middle);
+    number_lower(&first, low, prec);
+    number_upper(&last, high, prec);
+    number_add(&middle, &first, &last, prec);
+    number_mul_2exp(&middle, &middle, -1, prec);
+    number_midpoint(&middle, &middle, prec);
+    number_sub(&first, &middle, &first, prec);
+    number_sub(&last, &last, &middle, prec);
+    number_max(&last, &first, &last, prec);
+    number_upper(&z->slope, &last, prec);
+    number_swap(&z->centre, &middle);
+    number_clear(&first);
+    number_clear(&last);
+    number_clear(&middle);
 }
 
 static inline void affine_range(number *z, const affine *x, long prec)

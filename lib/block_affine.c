@@ -14,8 +14,7 @@ bool affine_cosine(affine *u, const arc *r, long prec)
     base_init(&high);
     base_cos_pi(&low, &r->high, prec);
     base_cos_pi(&high, &r->low, prec);
-    base_hull(&low, &low, &high, prec);
-    affine_spread(u, &low, prec);
+    affine_between(u, &low, &high, prec);
     base_clear(&low);
     base_clear(&high);
     return !affine_lacks_memory(u);

@@ -56,7 +56,10 @@ static bool search(decision *d, const rerun_run *r, const examination *x)
         l.precision = LIMITS_MIN_PRECISION;
     if (l.precision > LIMITS_MAX_PRECISION)
         l.precision = LIMITS_MAX_PRECISION;
-    decide_valence(d, &r->subject.problem, x->claim.valences.first, NULL, &l);
+    if (is_one_valence(x->claim.valences))
+        decide_valence(d, &r->subject.problem, x->claim.valences.first, NULL, &l);
+    else
+        decide_range(d, &r->subject.problem, x->claim.valences, !x->claim.c1, &l);
     return d->outcome != OUTCOME_NO_MEMORY;
 }
 
@@ -119,11 +122,9 @@ static int search_and_report(rerun_run *r, const char *file, const examination *
     int result = 0;
     decision_init(&d);
     examination_init(&y);
-    if (x->claim.valences.first == x->claim.valences.last) {
-        found.decision = &d;
-        if (!search(&d, r, x))
-            result = complain_of_memory();
-    }
+    found.decision = &d;
+    if (!search(&d, r, x))
+        result = complain_of_memory();
     if (d.certificate.length)
         buffer_append(&y.bytes, d.certificate.bytes, d.certificate.length);
     if (result == 0 && d.certificate.length && (y.bytes.failed || !examine(&y, &r->subject, NULL)))

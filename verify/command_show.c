@@ -10,6 +10,7 @@
 #include "../bigfloat/ball.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -41,7 +42,7 @@ static char *print_number(const integer *middle, const eigenpair_choice *e, int 
     ball_init(&x);
     ball_init(&radius);
     ball_set_integer_2exp(&x, middle, -e->grid, e->grid + 64);
-    ball_set_integer_2exp(&radius, &e->radius, -e->grid, e->grid + 64);
+    ball_set_integer_2exp(&radius, integer_sign(&e->range) > 0 ? &e->range : &e->radius, -e->grid, e->grid + 64); /* of all valences */
     ball_add_error(&x, &x, &radius, e->grid + 64);
     text = ball_get_decimal(&x, digits);
     ball_clear(&x);
@@ -120,6 +121,12 @@ static void say_spectrum(const choices *c, const char *eigenvalue)
             printf("%s %ld..%ld: %d", i ? "," : "", b->m.first, b->m.last, b->power);
     }
     printf("%s\n", c->blocks.count > 6 ? " ..." : "");
+    if (c->has_limit)
+        printf("                  block 0 tends to block 1 as the valence grows, and falls behind it\n");
+    if (c->rise.count)
+        printf("                  near m/k = 0 they rise with u = cos(pi m / k), on %zu arcs\n", c->rise.count);
+    if (c->spans.count)
+        printf("                  blocks 2 and more on %zu spans of m/k\n", c->spans.count);
 }
 
 static void say_tree(const char *what, const tree_word *w, int children, const char *why)
@@ -133,12 +140,29 @@ static void say_witness(const witness_choice *w, const char *what)
     printf("  witness         %s on element %d%s%s\n", what, w->element, w->depth ? ", descendant " : "", w->depth ? w->path : "");
 }
 
+/* Blocks that are computed exactly, and what they have in common. */
+static void say_exact(const choices *c)
+{
+    const char *words = c->claim == CLAIM_TIE ? "eigenvalues of the largest modulus are equal: there is no tangent plane"
+                        : c->claim == CLAIM_JORDAN ? "the eigenvalue of the largest modulus has a larger Jordan block than all others"
+                                                   : "an eigenvalue has the modulus 1: there is no continuous limit";
+    printf("  exactly         %s\n                 ", words);
+    for (int i = 0; i < c->exact.count; i++)
+        printf("%s block %ld: %d time%s, rows %d%s", i ? "," : "", c->exact.line[i].frequency, c->exact.line[i].multiplicity, c->exact.line[i].multiplicity == 1 ? "" : "s",
+               c->exact.line[i].size, c->exact.line[i].sign < 0 ? " (negative)" : "");
+    printf("\n");
+}
+
 static void say_evidence(const choices *c)
 {
     switch (c->claim) {
     case CLAIM_C1:
         say_tree("regularity", &c->regularity, 4, "the Jacobian of the characteristic map is positive");
         say_tree("injectivity", &c->boundary, 2, "the outer curve of a sector stays in one half-plane");
+        break;
+    case CLAIM_WINDOW:
+        printf("  window          m/k from %.6f to %.6f, in %zu parts: the eigenfunctions have no zero on the outer curve, and wind m times\n",
+               ldexp((double)c->window.start, -ARC_BITS), ldexp((double)window_choice_end(&c->window), -ARC_BITS), c->window.count);
         break;
     case CLAIM_FREQUENCY:
         say_tree("no zero", &c->boundary, 2, "the eigenfunction has no zero on the outer curve, and another frequency than 1");
@@ -149,6 +173,15 @@ static void say_evidence(const choices *c)
     case CLAIM_FOLD:
         say_witness(&c->witness[0], "the Jacobian is positive");
         say_witness(&c->witness[1], "the Jacobian is negative");
+        break;
+    case CLAIM_REAL:
+        printf("  second          an eigenvalue of block %ld comes next: the normals of the two functions have no limit\n", c->second_frequency);
+        say_witness(&c->witness[0], "both Jacobians are other than 0");
+        break;
+    case CLAIM_TIE:
+    case CLAIM_JORDAN:
+    case CLAIM_MODULUS_ONE:
+        say_exact(c);
         break;
     default:
         break;
@@ -184,10 +217,10 @@ static int say(const examination *x, const show_run *r, const char *file, const 
     printf("  arithmetic      exact, in units of 2^-%ld\n", x->claim.grid);
     if (x->followed == OUTCOME_TRUE) {
         say_regular(&x->choices);
-        if (!x->choices.plainly_regular && eigenvalue) {
+        if (!x->choices.plainly_regular && eigenvalue)
             say_spectrum(&x->choices, eigenvalue);
+        if (!x->choices.plainly_regular)
             say_evidence(&x->choices);
-        }
     }
     say_followed(x);
     return 0;

@@ -134,11 +134,12 @@ void examine_print_claim(char *text, size_t size, const examination *z, const ch
 void examine_print_radius(char text[EXAMINE_RADIUS_TEXT], const eigenpair_choice *e)
 {
     /* log10 of the radius: of its first 64 bits at most, and of the rest of the exponent; the error is far below 1e-9. */
-    size_t bits = integer_bits(&e->radius), shift = bits > 64 ? bits - 64 : 0;
+    const integer *radius = integer_sign(&e->range) > 0 ? &e->range : &e->radius; /* of all valences */
+    size_t bits = integer_bits(radius), shift = bits > 64 ? bits - 64 : 0;
     double log, mantissa;
     integer head;
     integer_init(&head);
-    if (!integer_cdiv_2exp(&head, &e->radius, shift)) {
+    if (!integer_cdiv_2exp(&head, radius, shift)) {
         snprintf(text, EXAMINE_RADIUS_TEXT, "?");
         return;
     }

@@ -100,9 +100,7 @@ static void print_comparison(const rerun *r)
 static void print_search(const rerun *r)
 {
     const decision *d = r->decision;
-    if (!d)
-        printf("; there is no new search for ranges of valences");
-    else if (d->verdict == VERDICT_UNDECIDED)
+    if (d->verdict == VERDICT_UNDECIDED)
         printf("; a new search is undecided: %s: %s", decision_obstacle(d)->test, decision_obstacle(d)->reason);
     else if (is_comparable(r))
         print_comparison(r);

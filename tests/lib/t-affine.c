@@ -205,19 +205,20 @@ static void find_t(number *t, const arc *r, long m, long k)
 {
     /* C and D as affine_cosine has them */
     number low, high;
+    affine u;
     rational q;
     number_init(&low), number_init(&high);
+    affine_init(&u);
     rational_init(&q);
     number_cos_pi(&low, &r->high, PRECISION);
     number_cos_pi(&high, &r->low, PRECISION);
-    number_hull(&low, &low, &high, PRECISION);
+    affine_between(&u, &low, &high, PRECISION);
     MUST(rational_set_si(&q, m, k));
     number_cos_pi(t, &q, FINE);
-    number_midpoint(&high, &low, PRECISION);
-    number_sub(t, t, &high, FINE);
-    number_radius_upper(&high, &low, PRECISION);
-    number_div(t, t, &high, FINE);
+    number_sub(t, t, &u.centre, FINE);
+    number_div(t, t, &u.slope, FINE);
     number_clear(&low), number_clear(&high);
+    affine_clear(&u);
     rational_clear(&q);
 }
 

@@ -155,3 +155,10 @@ for edit in 's/^valence 8$/valence 8 20/' 's/^valence 8$/valence 8 20/;s/^radius
   ! grep -q 'followed  *yes' stdout
   holds "claim-of-one-valence-$(wc -l <forged)" $? "$(grep followed stdout)"
 done
+# Balls, and certificates of ranges proved anew with more bits.
+"$SMOOTHCERT" prove loop --valence 16..inf --precision 128 --out none >stdout 2>stderr
+tail -n 1 stdout | grep -q '^loop, in 1 box: C1: 16..inf$'
+holds balls $? "$(tail -n 1 stdout)"
+"$SMOOTHCERT" rerun whole/valence-16..inf.cert --precision 128 >stdout 2>stderr
+[ $? -eq 0 ] && grep -q 'still proved: loop is C1 at valences 16..inf; grid 64 -> 128, ' stdout
+holds rerun $? "$(cat stdout stderr)"
