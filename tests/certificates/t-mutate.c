@@ -64,6 +64,7 @@ static void make_mutant(trial *t)
     write_file("mutant", t->certificate.bytes, t->certificate.length);
     if (t->own_text) {
         buffer text;
+        int all = z.count;
         for (int i = 0; i < 2 && claim > 0; i++)
             lines_replace(&z, i, "");
         z.count = claim;
@@ -71,7 +72,7 @@ static void make_mutant(trial *t)
         lines_write(&text, &z);
         write_file("text", text.bytes, text.length);
         buffer_clear(&text);
-        z.count = claim;
+        z.count = all;
     }
     lines_clear(&z);
 }
