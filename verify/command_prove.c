@@ -208,12 +208,15 @@ static void discard(void *result)
 
 /* The widest range that holds k for which an earlier run has left a certificate, which begins at k if it has to; k alone: none.
    (The index has longer ranges before shorter ones.) */
-static valence_range find_range(const prove_run *r, buffer *certificate, long k, bool from_k)
+static valence_range find_range(const prove_run *r, buffer *certificate, archive_earlier *earlier, long k, bool from_k)
 {
     for (size_t i = 0; i < r->earlier.count; i++) {
         const archive_index_entry *e = &r->earlier.entry[i];
         bool holds = from_k ? e->valences.first == k : e->valences.first <= k && k <= e->valences.last;
-        if (holds && e->verdict != VERDICT_UNDECIDED && archive_read(&r->archive, certificate, e->valences) != EARLIER_DAMAGED)
+        if (!holds || e->verdict == VERDICT_UNDECIDED)
+            continue;
+        *earlier = archive_read(&r->archive, certificate, e->valences);
+        if (*earlier != EARLIER_DAMAGED)
             return e->valences;
     }
     return one_valence(k);
@@ -223,16 +226,15 @@ static valence_range find_range(const prove_run *r, buffer *certificate, long k,
 static bool decide_within_range(prove_run *r, answer *a, long k)
 {
     buffer certificate;
+    archive_earlier earlier = EARLIER_NONE;
     bool decided;
     valence_range range;
     buffer_init(&certificate);
-    range = find_range(r, &certificate, k, false);
+    range = find_range(r, &certificate, &earlier, k, false);
     decided = !is_one_valence(range) && decide_by_certificate(&a->decision, &r->problem, range, &certificate, &r->options.limits);
     buffer_clear(&certificate);
-    if (decided) {
-        a->earlier = archive_read(&r->archive, &certificate, range);
-        buffer_clear(&certificate);
-    }
+    if (decided)
+        a->earlier = earlier;
     return decided;
 }
 
@@ -393,7 +395,8 @@ static bool take(decision *d, void *data)
 
 static valence_range find_earlier(buffer *certificate, long k, void *data)
 {
-    return find_range(data, certificate, k, true);
+    archive_earlier unused;
+    return find_range(data, certificate, &unused, k, true);
 }
 
 static void summarise(const prove_run *r)

@@ -18,20 +18,23 @@ static outcome make_block(analysis *a)
     return o;
 }
 
-static outcome prove_pair(analysis *a)
+outcome analysis_prove_pair(analysis *a, eigenpair_choice *e, const char *of_what)
 {
-    choices *c = a->choices;
     int n = a->dominant.n;
     truth found = TRUTH_TRUE;
+    a->order = n;
+    a->box = number_array_new((size_t)n + 1);
+    if (!a->box)
+        return OUTCOME_NO_MEMORY;
     if (!a->replay)
-        found = BASE_NAME(eigenpair_affine_choose)(&c->eigenpair, a->dominant.entry, n, c->grid, a->prec);
-    else if (c->eigenpair.n != n)
+        found = BASE_NAME(eigenpair_affine_choose)(e, a->dominant.entry, n, a->choices->grid, a->prec);
+    else if (e->n != n)
         return findings_explain(a->findings, OUTCOME_FALSE, "the eigenvector has not %d components", n);
     if (found == TRUTH_TRUE)
-        found = BASE_NAME(eigenpair_affine_prove)(a->box, &c->eigenpair, a->dominant.entry, n, a->prec);
+        found = BASE_NAME(eigenpair_affine_prove)(a->box, e, a->dominant.entry, n, a->prec);
     if (found == TRUTH_TRUE)
         return OUTCOME_TRUE;
-    return found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_FAIL, "no box round an approximate dominant eigenpair of block 1 could be proved");
+    return found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_FAIL, "no box round an approximate dominant eigenpair of %s could be proved", of_what);
 }
 
 /* 0 < L < 1, and the scale, ceil(1/lo), lo the lower end of L's range. */
@@ -69,10 +72,6 @@ outcome test_eigenpair(analysis *a)
     o = make_block(a);
     if (o != OUTCOME_TRUE)
         return o;
-    a->order = a->dominant.n;
-    a->box = number_array_new((size_t)a->order + 1);
-    if (!a->box)
-        return OUTCOME_NO_MEMORY;
-    o = prove_pair(a);
+    o = analysis_prove_pair(a, &a->choices->eigenpair, "block 1");
     return o == OUTCOME_TRUE ? bound(a) : o;
 }

@@ -32,6 +32,7 @@
 
 #define outcome_from_block NUMBER_NAME(outcome_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
+#define analysis_prove_pair NUMBER_NAME(analysis_prove_pair)
 #define analysis_make_net NUMBER_NAME(analysis_make_net)
 #define analysis_subdivide NUMBER_NAME(analysis_subdivide)
 #define analysis_uniform NUMBER_NAME(analysis_uniform)
@@ -120,6 +121,9 @@ outcome test_exact(analysis *a);
 /* The eigenfunctions that count are not 0. */
 outcome test_exact_witnesses(analysis *a);
 void exact_free(analysis *a);
+
+/* a->box: the eigenpair of a->dominant, by choices that are found or followed (only for affine numbers). */
+outcome analysis_prove_pair(analysis *a, eigenpair_choice *e, const char *of_what);
 
 /* At every valence the blocks of some frequencies in a window dominate, simply, and their eigenfunctions have no zero on the outer
    curve (only for affine numbers). */

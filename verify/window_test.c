@@ -27,24 +27,6 @@ static outcome make_block(analysis *a, int64_t from, const window_wave *w)
     return o;
 }
 
-static outcome prove_pair(analysis *a, window_wave *w)
-{
-    int n = a->dominant.n;
-    truth found = TRUTH_TRUE;
-    a->order = n;
-    a->box = number_array_new((size_t)n + 1);
-    if (!a->box)
-        return OUTCOME_NO_MEMORY;
-    if (!a->replay)
-        found = BASE_NAME(eigenpair_affine_choose)(&w->eigenpair, a->dominant.entry, n, a->choices->grid, a->prec);
-    else if (w->eigenpair.n != n)
-        return findings_explain(a->findings, OUTCOME_FALSE, "an eigenvector has not %d components", n);
-    if (found == TRUTH_TRUE)
-        found = BASE_NAME(eigenpair_affine_prove)(a->box, &w->eigenpair, a->dominant.entry, n, a->prec);
-    return found == TRUTH_TRUE ? OUTCOME_TRUE
-           : found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : findings_explain(a->findings, OUTCOME_FAIL, "no box round the eigenpairs of a part of the window could be proved");
-}
-
 /* 0 < l < 1 or -1 < l < 0; *strong: |l| >= R everywhere. */
 static outcome bound_pair(analysis *a, bool *strong)
 {
@@ -117,7 +99,7 @@ static outcome prove_wave(analysis *a, int64_t from, window_wave *w, bool *stron
 {
     outcome o = make_block(a, from, w);
     if (o == OUTCOME_TRUE)
-        o = prove_pair(a, w);
+        o = analysis_prove_pair(a, &w->eigenpair, "a part of the window");
     if (o == OUTCOME_TRUE)
         o = bound_pair(a, strong);
     if (o == OUTCOME_TRUE)
