@@ -81,7 +81,7 @@ static int report(rerun_run *r, const rerun *found)
 {
     const examination *x = found->before;
     int result = 0;
-    if (found->decision && r->archive.path)
+    if (r->archive.path)
         result = keep(r, found->decision);
     if (result)
         return result;
@@ -118,11 +118,10 @@ static int search_and_report(rerun_run *r, const char *file, const examination *
 {
     examination y;
     decision d;
-    rerun found = {.file = file, .scheme = r->subject.scheme.name, .before = x, .after = &y};
+    rerun found = {.file = file, .scheme = r->subject.scheme.name, .before = x, .decision = &d, .after = &y};
     int result = 0;
     decision_init(&d);
     examination_init(&y);
-    found.decision = &d;
     if (!search(&d, r, x))
         result = complain_of_memory();
     if (d.certificate.length)

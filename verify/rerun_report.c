@@ -18,12 +18,12 @@ static verdict stated(const rerun *r)
 
 static bool decided_anew(const rerun *r)
 {
-    return r->decision && r->decision->verdict != VERDICT_UNDECIDED;
+    return r->decision->verdict != VERDICT_UNDECIDED;
 }
 
 verdict rerun_verdict(const rerun *r)
 {
-    return holds(r) ? stated(r) : r->decision ? r->decision->verdict : VERDICT_UNDECIDED;
+    return holds(r) ? stated(r) : r->decision->verdict;
 }
 
 bool rerun_is_contradiction(const rerun *r)
@@ -125,7 +125,7 @@ void rerun_print_line(const rerun *r)
     else if (!holds(r))
         printf(" (its own choices do not prove it)");
     print_search(r);
-    printf("%s; %s\n", r->decision && r->decision->kept_before ? " (kept)" : "", r->file);
+    printf("%s; %s\n", r->decision->kept_before ? " (kept)" : "", r->file);
 }
 
 /* ---- JSON ---- */
@@ -149,8 +149,7 @@ void rerun_print_json(buffer *b, const rerun *r)
     json_add_string(b, "scheme", r->scheme);
     json_add_string(b, "valence", valences);
     json_add_string(b, "claim", r->before->claim.c1 ? "c1" : "not-c1");
-    if (r->decision)
-        json_add_string(b, "found_anew", verdict_name(r->decision->verdict));
+    json_add_string(b, "found_anew", verdict_name(r->decision->verdict));
     if (has_eigenvalue(r->before))
         add_figures(b, "before", r->before);
     if (decided_anew(r) && has_eigenvalue(r->after))

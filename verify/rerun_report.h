@@ -10,7 +10,7 @@ typedef struct {
     const char *file;
     const char *scheme;         /* its name */
     const examination *before;
-    const decision *decision;   /* of the new search; NULL: there was none */
+    const decision *decision;   /* of the new search */
     const examination *after;   /* the new certificate followed, if the decision is one */
 } rerun;
 
