@@ -80,7 +80,7 @@ outcome analysis_make_net(analysis *a)
     if (m == 0)
         plain = plain_eigenvector(a);
     if (m > 0 || plain)
-        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, &a->numbers, a->plan->problem->geometry.rings);
+        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, a->dominant.imaginary != NULL, &a->numbers, a->plan->problem->geometry.rings);
     if (plain)
         number_array_free(plain, (size_t)a->dominant.n + 1);
     a->net_made = made == BLOCK_OK;
