@@ -127,7 +127,7 @@ static void write_choices(buffer *z, const choices *c)
     else if (c->claim == CLAIM_WINDOW)
         write_window(z, &c->window);
     else
-        write_form(z, c, &c->eigenpair, c->frequency == 0);
+        write_form(z, c, &c->eigenpair, c->frequency == 0 && !c->pair);
     if (c->claim == CLAIM_REAL) {
         buffer_print(z, "second %ld\n", c->second_frequency);
         write_form(z, c, &c->second, false);
