@@ -168,7 +168,12 @@ static bool change_boundary_to_leaves(choices *c)
     return split;
 }
 static bool change_letter(choices *c) { return c->boundary.length ? (c->boundary.letter[c->boundary.length - 1] = TREE_COEFFICIENTS, true) : false; }
-static bool change_pair(choices *c) { return c->pair ? (c->pair = false, true) : false; }
+static bool change_pair(choices *c)
+{
+    bool pair = c->pair;
+    c->pair = false;
+    return pair && c->claim == CLAIM_FREQUENCY; /* what is beyond 1 is, in pairs or not */
+}
 static bool change_frequency(choices *c) { return c->frequency = c->frequency == 2 ? 1 : 2, true; }
 static bool change_claim(choices *c)
 {
