@@ -53,6 +53,7 @@ static const statement_case cases[] = {
     {"pair-cups", NULL, 5, CLAIM_FREQUENCY, 0, true, 1},
     {"pair-cups", NULL, 5, CLAIM_FREQUENCY, 0, false, 0},
     {"pair-cups", NULL, 5, CLAIM_NOT_C0, 0, true, 0},
+    {"pair-cups", "c=7/8", 5, CLAIM_FREQUENCY, 0, true, 0}, /* smaller than l */
     {"pair-cups", "im=29/100", 5, CLAIM_FREQUENCY, 0, true, 1},
     {"pair-cups", "re=2/5", 5, CLAIM_FREQUENCY, 0, true, 0},
     {"pair-cups", "im=0", 5, CLAIM_FREQUENCY, 0, true, 0}, /* twice the same, which is real */
