@@ -261,15 +261,23 @@ void certificate_read_subject(struct certificate *out, const char *file,
 /* The choices
  * ----------- */
 
-/* plain: the form of m = 0. */
+/* Is the frequency k/2? */
+static bool is_half(const struct certificate *c)
+{
+    return 2 * c->frequency == c->valence.first && !span_is_several(c->valence);
+}
+
+/* plain: the real form of m = 0.  That of m = k/2 is for `real` only. */
 static void read_form(struct certificate *c)
 {
     static const char *const form[] = { "real", "complex", "plain" };
     int choice = read_choice_record(c, "form", form, 3, &c->line_of.form);
 
-    if (choice == 3 || (choice == 2) != (c->frequency == 0))
+    if (choice == 3 || (choice != 1 && (choice == 2) != (c->frequency == 0)))
         rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
-                 "frequency 0 `plain`");
+                 "frequency 0 `plain` or `complex`");
+    if (choice == 0 && is_half(c) && c->reason != REASON_REAL)
+        rejected(c->file, c->line_of.form, "form: for frequency k/2 expected `complex`");
     c->real = choice != 1;
     if (span_is_several(c->valence) && choice == 1)
         rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
@@ -283,28 +291,27 @@ bool certificate_is_exact(const struct certificate *c)
 static void read_reason(struct certificate *c)
 {
     static const char *const reason[] = {
-        "frequency", "not-c0", "fold", "real", "tie", "jordan", "modulus-one"
+        "frequency", "not-c0", "fold", "winding", "real", "tie", "jordan", "modulus-one"
     };
-    int choice = read_choice_record(c, "reason", reason, 7, &c->line_of.reason);
+    int choice = read_choice_record(c, "reason", reason, 8, &c->line_of.reason);
 
-    if (choice == 7)
+    if (choice == 8)
         rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0`, "
-                 "`fold`, `real`, `tie`, `jordan` or `modulus-one`");
+                 "`fold`, `winding`, `real`, `tie`, `jordan` or `modulus-one`");
     c->reason = (enum reason)(REASON_FREQUENCY + choice);
-    if (span_is_several(c->valence) && c->reason >= REASON_REAL)
+    if (span_is_several(c->valence) && c->reason >= REASON_WINDING)
         rejected(c->file, c->line_of.reason, "reason: it is for single valences only");
 }
 
 static bool frequency_fits(const struct certificate *c)
 {
-    bool half = 2 * c->frequency == c->valence.first;
-
     if (c->reason == REASON_REAL)
-        return c->frequency == 0 || half;
-    if (2 * c->frequency >= c->valence.first)
+        return c->frequency == 0 || is_half(c);
+    if (2 * c->frequency >= c->valence.first && !is_half(c))
         return false;
-    return c->reason == REASON_FOLD ? c->frequency == 1
-                                    : c->reason == REASON_NOT_C0 || c->frequency != 1;
+    if (c->reason == REASON_FOLD || c->reason == REASON_WINDING)
+        return c->frequency == 1;
+    return c->reason == REASON_NOT_C0 || c->frequency != 1;
 }
 
 static void read_frequency(struct certificate *c)
@@ -323,7 +330,7 @@ static void read_frequency(struct certificate *c)
         c->frequency = read_decimal(&r, 0, MAX_VALENCE_1);
     end_record(&r);
     if (c->frequency >= 0 && !frequency_fits(c))
-        rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
+        rejected(c->file, line, "frequency: it is beyond k/2, or not one for this reason");
 }
 
 /* The record `name I ...` */
@@ -604,7 +611,7 @@ static void read_witness(struct certificate *c)
 
 static void read_refutation(struct certificate *c)
 {
-    if (c->reason == REASON_FREQUENCY)
+    if (c->reason == REASON_FREQUENCY || c->reason == REASON_WINDING)
         read_trees(&c->boundary, c, "boundary");
     if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD || c->reason == REASON_REAL)
         read_witness(c);

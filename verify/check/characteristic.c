@@ -49,18 +49,13 @@ static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 
 static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
 {
-    struct affine a = pair->real, b = pair->imaginary, d;
-    struct pair out;
+    struct pair l = { pair->real, pair->imaginary };
 
-    if (real) {
-        out.x = affine_div(v.x, a, g);
-        out.y = affine_div(v.y, a, g);
-        return out;
-    }
-    d = affine_add(affine_mul(a, a, g), affine_mul(b, b, g));
-    out.x = affine_div(affine_add(affine_mul(v.x, a, g), affine_mul(v.y, b, g)), d, g);
-    out.y = affine_div(affine_sub(affine_mul(v.y, a, g), affine_mul(v.x, b, g)), d, g);
-    return out;
+    if (!real)
+        return pair_divide(v, l, g);
+    v.x = affine_div(v.x, l.x, g);
+    v.y = affine_div(v.y, l.x, g);
+    return v;
 }
 
 /* The net with more rings: V is an eigenvector of the scheme on the whole complex, so
@@ -82,7 +77,7 @@ static struct net extend_net(const struct net *old, const struct block *block,
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
             net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
                 ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real || block->plain,
+                : divide(net_value(&new, block, a, b), pair, block->real || !block->has_y,
                          block->v->g));
     return out;
 }

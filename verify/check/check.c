@@ -263,16 +263,19 @@ static void check_rest(const struct known *known, int count, const struct valenc
     }
 }
 
-/* The matrix of a block: in the plain form that of differences. */
+/* The matrix of a block: for m = 0 that of differences, in the complex form twice. */
 static const interval *find_matrix(const struct block *block, struct affine *b)
 {
-    return block->plain
-         ? constants(spectrum_without_constants(b, block->n), block->n - 1)
-         : constants(b, block->size);
+    const interval *a;
+
+    if (!block->plain)
+        return constants(b, block->size);
+    a = constants(spectrum_without_constants(b, block->n), block->n - 1);
+    return block->has_y ? spectrum_doubled(a, block->n - 1) : a;
 }
 
-/* block: that of L.  In the plain form the eigenpair is about differences, and comes
- * back as the net. */
+/* block: that of L.  For m = 0 the eigenpair is about differences, and comes back as the
+ * net; and the plain form says nothing about the other blocks. */
 static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
@@ -281,10 +284,10 @@ static struct eigenpair check_spectrum(const struct block *block,
     struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
     struct known known = { c, matrix, &pair };
 
-    check_rest(&known, 1, block->v, c->frequency == 0 ? block->v->scheme->mirrored : c->real,
-               pair.s, c);
+    check_rest(&known, 1, block->v,
+               c->real && block->plain ? block->v->scheme->mirrored : c->real, pair.s, c);
     if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
+        spectrum_add_constants(&pair, b, block->n, !c->real, c);
     return pair;
 }
 
@@ -317,6 +320,9 @@ static void decide(const struct characteristic *characteristic, const struct cer
         break;
     case REASON_FOLD:
         decide_fold(characteristic, c);
+        break;
+    case REASON_WINDING:
+        decide_winding(characteristic, c);
         break;
     default:                                       /* the others have checks of their own */
         cannot_check("the checker does not know how to decide this");
@@ -354,8 +360,7 @@ static struct function *prove_function(const struct block *block,
 static void prepare_function(struct function *f, const struct mask q[3])
 {
     if (f->block.plain)
-        f->pair.unknowns = spectrum_with_constants(f->pair.unknowns, f->pair.real, f->b,
-                                                   f->block.n, f->choices.grid);
+        spectrum_add_constants(&f->pair, f->b, f->block.n, false, &f->choices);
     characteristic_prepare(&f->net, &f->block, &f->pair, q, &f->choices);
 }
 
@@ -436,6 +441,7 @@ static void prepare_block(struct block *out, const struct valence *v,
         valences_prepare_block(out, v, c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
+    out->has_y = out->has_y || !c->real;
 }
 
 /* How many unknowns have blocks in the real form? */
