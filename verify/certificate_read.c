@@ -221,8 +221,8 @@ static void read_pair(reader *r, choices *c, bool several)
     if (c->claim != CLAIM_REAL)
         return;
     expect(r, "second");
-    c->second_frequency = read_long(r, 10, 1, (c->k.first - 1) / 2);
-    read_form_and_pair(r, c, &c->second, false, several);
+    c->second_frequency = read_long(r, 10, c->frequency == 0, (c->k.first - 1) / 2);
+    read_form_and_pair(r, c, &c->second, c->second_frequency == 0, several);
 }
 
 /* Of all blocks of a certificate together. */

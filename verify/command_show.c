@@ -179,7 +179,8 @@ static void say_evidence(const choices *c, const findings *f)
         printf("                  it winds %ld times round the extraordinary point\n", f->windings);
         break;
     case CLAIM_REAL:
-        printf("  second          an eigenvalue of block %ld comes next: the normals of the two functions have no limit\n", c->second_frequency);
+        printf("  second          an eigenvalue of block %ld comes next: %s\n", c->second_frequency,
+               c->second_frequency ? "the normals of the two functions have no limit" : "the map of the two functions folds");
         say_witness(&c->witness[0], "both Jacobians are other than 0");
         break;
     case CLAIM_TIE:

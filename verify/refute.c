@@ -37,15 +37,25 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
     return attempt_choices(f, c, plan, precision);
 }
 
-/* A single real function in front of all, and then the pair of blocks that comes next. */
+/* What comes next after a real function of block m: a pair of blocks, or block 0; its largest modulus, too. */
+static long second_block(double *radius, const candidates *z, long m)
+{
+    bool zero = m != 0 && z->radius_of_zero > z->radius_of_pair;
+    *radius = zero ? z->radius_of_zero : z->radius_of_pair;
+    return zero ? 0 : z->pair;
+}
+
+/* A single real function in front of all, and what comes next. */
 static outcome attempt_real(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, long valence, long precision)
 {
-    if (!(s->candidates.radius_of_pair > 0 && s->candidates.radius_of_pair < s->candidates.radius[i]))
+    double radius;
+    long second = second_block(&radius, &s->candidates, s->candidates.frequency[i]);
+    if (!(radius > 0 && radius < s->candidates.radius[i]))
         return OUTCOME_FAIL;
     choices_clear(c);
     c->claim = CLAIM_REAL;
     c->frequency = s->candidates.frequency[i];
-    c->second_frequency = s->candidates.pair;
+    c->second_frequency = second;
     c->k = one_valence(valence);
     return attempt_choices(f, c, plan, precision);
 }
@@ -172,6 +182,14 @@ static void describe_frequency(char *text, size_t size, const choices *c, double
         snprintf(text + length, size - (size_t)length, "nothing turns round the point");
 }
 
+static void describe_real(char *text, size_t size, const choices *c, double l, const suspicion *s)
+{
+    double radius;
+    second_block(&radius, &s->candidates, c->frequency);
+    snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); %s", c->frequency, l, c->second_frequency, radius,
+             c->second_frequency ? "the normals have no limit" : "the map of both folds");
+}
+
 void refute_describe(char *text, size_t size, const choices *c, const findings *f, const suspicion *s)
 {
     double l = f->eigenvalue_lower;
@@ -193,8 +211,7 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
         snprintf(text, size, "winding: the characteristic map winds %ld times round the extraordinary point", f->windings);
         break;
     case CLAIM_REAL:
-        snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); the normals have no limit", c->frequency, l, c->second_frequency,
-                 s->candidates.radius_of_pair);
+        describe_real(text, size, c, l, s);
         break;
     case CLAIM_TIE:
         describe_tie(text, size, &c->exact, l);
