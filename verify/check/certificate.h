@@ -103,7 +103,10 @@ struct certificate {
     int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
     int64_t window;                                /* window from there on, 2^-48; */
     integer bound;                                 /* with this R */
-    bool real;                                     /* the form; also `plain` */
+    bool real;                                     /* the form; also `plain`, `graded` */
+    bool graded;
+    int degree;                                    /* d; the e_i */
+    int *grade;
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
     struct choices pair;

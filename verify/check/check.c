@@ -6,6 +6,7 @@
 #include "certificate.h"
 #include "characteristic.h"
 #include "decide.h"
+#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
 #include "stability.h"
@@ -415,6 +416,13 @@ static struct verified check_window(const struct statement *s, const struct vale
     return out;
 }
 
+static struct verified check_graded(const struct statement *s, const struct block *block,
+                                    const struct certificate *c)
+{
+    return (struct verified) { .g = c->grid, .degree = c->degree,
+                               .eigenvalue = graded_prove(block, s->q, c) };
+}
+
 /* One eigenpair, and what its function decides. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
                                        const struct certificate *c)
@@ -437,7 +445,9 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 static void prepare_block(struct block *out, const struct valence *v,
                           const struct certificate *c)
 {
-    if (span_is_several(c->valence))
+    if (c->graded)
+        graded_prepare_block(out, v);
+    else if (span_is_several(c->valence))
         valences_prepare_block(out, v, c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
@@ -484,7 +494,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    certificate_read_choices(c, block.plain ? block.n - 1 : block.n,
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
                              c->reason == REASON_REAL ? real_unknowns(v) : 0);
     certificate_read_end(c);
 
@@ -493,6 +503,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_stability(s, c);
     if (c->frequency < 0)
         return check_window(s, v, c);
+    if (c->graded)
+        return check_graded(s, &block, c);
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);

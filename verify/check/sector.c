@@ -408,6 +408,9 @@ static void prepare_rules(struct block *out)
 
             if (!out->plain && step->rule[n].rule->centre)
                 continue;                          /* it stays 0 */
+            if (step->rule[n].missing != NULL)
+                value_require(*step->rule[n].missing, &out->v->scheme->language,
+                              out->v->reference.file, out->v->reference.line);
             rule->term = allocate((size_t)count, sizeof rule->term[0]);
             for (int s = 0; s < count; s++)
                 if (make_term(&rule->term[rule->terms], &step->rule[n].weighted[s], out))

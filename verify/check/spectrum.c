@@ -306,13 +306,18 @@ interval *spectrum_doubled(const interval *a, int n)
 /* The rest
  * -------- */
 
+static integer mid_size(interval x)
+{
+    return integer_absolute(interval_mid(x));
+}
+
 /* The unknown, not p, at which the plane's g is 1. */
 static int second_pivot(const interval *y, int n, const struct certificate *c)
 {
     int q = 0;
 
     for (int i = 1; i < n; i++)
-        if (integer_compare(integer_absolute(interval_mid(y[i])), integer_absolute(interval_mid(y[q]))) > 0)
+        if (integer_compare(mid_size(y[i]), mid_size(y[q])) > 0)
             q = i;
     if (interval_contains_zero(y[q]))
         rejected(c->file, c->pair.line_of.pivot, "pivot: no second one can be found");
@@ -329,7 +334,7 @@ static interval *deflate_plane(int *size, const interval *m, int g, const struct
     const interval *x = affine_constants(pair->unknowns, 2 * (size_t)n), *y = &x[n];
 
     if (interval_contains_zero(pair->imaginary.c))
-        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: it is not proved not to be real");
+        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: it may be real");
     q = second_pivot(y, n, c);
     for (int i = 0; i < n; i++) {
         interval of_g = grid_div(y[i], y[q], g);

@@ -45,8 +45,8 @@ interval spectrum_prove_size(interval l, int g, const struct certificate *certif
 /* Block 0 without the constant net, the plain form of section 10: of order n - 1. */
 struct affine *spectrum_without_constants(const struct affine *b, int n);
 
-/* From the eigenvector of differences y of the block with the matrix b to the net's unknowns; a complex
- * L rejects what leaves L - 1 undecided. */
+/* From the eigenvector of differences of the block with the matrix b to the net's unknowns;
+ * rejects a complex L that is too near to 1. */
 void spectrum_add_constants(struct eigenpair *pair, const struct affine *b, int n, bool complex,
                             const struct certificate *certificate);
 
