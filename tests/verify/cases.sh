@@ -189,6 +189,7 @@ folds() {
 windings_and_pairs() {
   made=$SRCDIR/tests/certificates/schemes
   refuted winding-triangle 'winding: the characteristic map winds -2 times round the extraordinary point' "$made/winding-triangle.scheme" --valence 3
+  refuted winding-negative 'winding: the characteristic map winds -2 times round the extraordinary point; L = -0.5' "$made/winding-negative.scheme" --valence 3
   refuted winding-quad 'winding: the characteristic map winds -[2345] times' "$made/winding-quad.scheme" --valence 3..6
   refuted winding-forward 'winding: the characteristic map winds 4 times' "$made/winding-forward.scheme" --valence 3
   refuted winding-spiral 'winding: the characteristic map winds -[0-9]* times' "$made/winding-spiral.scheme" --valence 3..12,20
