@@ -26,6 +26,7 @@ LIB_SOURCES = \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/scheme_range.h lib/scheme_range.c \
   lib/laurent_value.h lib/laurent_value.c \
+  lib/centre_weights.h lib/centre_weights.c \
   lib/resting_centre.h lib/resting_centre.c \
   lib/arc.h lib/arc.c \
   lib/catalogue.h \
@@ -82,6 +83,7 @@ LIB_AFFINE_SOURCES = \
   lib/step.h lib/step.c \
   lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
+  lib/reciprocal.h lib/reciprocal.c \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \
   lib/patch.h lib/patch.c
