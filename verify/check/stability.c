@@ -182,9 +182,9 @@ static struct rows next_rows(const struct rows *old, const struct rounded *s)
  * -----------
  *
  * Two labels x and x' are good if |m_x - m_x'| and h(x, x') = |(1024+T) m_x - (T-1024) m_x'|
- * are not too large.  From x' to x" the latter changes by at most (T-1024) |m_x' - m_x"|,
- * and rows of near labels are much the same: one sum that stays well below its limit settles
- * a whole box of labels x'.  Nothing else has to be said of their differences, because
+ * are not too large.  From x' to x' + e_2 the latter changes by at most (T-1024) times the
+ * largest |m_y - m_(y + e_2)|: one sum that stays well below its limit settles several x'.
+ * Nothing else has to be said of their differences, because
  * 2 T |m_x - m_x'| <= h(x, x') + h(x', x), and the pairs come in both orders.
  */
 
@@ -193,12 +193,7 @@ struct close_pairs {
     int64_t t;
     int most_a, most_b, most_sum;                  /* |d1|, |d2|, |d1 + d2| of x' - x */
     int64_t *norm;                                 /* |m_x| */
-    int64_t *step[2];                              /* most |m_x' - m_(x'+e)| for such x' */
-};
-
-/* The displacements d with low <= d <= high in each coordinate. */
-struct box {
-    int low_a, high_a, low_b, high_b;
+    int64_t step;                                  /* most |m_y - m_(y + e_2)| */
 };
 
 static int64_t magnitude(int64_t a)
@@ -230,79 +225,48 @@ static int64_t difference(const struct close_pairs *c, int a, int b, int da, int
     return sum;
 }
 
-/* The largest value within `most` places along an axis, stride apart, of the n x n table. */
-static void spread_most(int64_t *value, int n, int stride, int most)
-{
-    struct mark mark = scratch_mark();
-    int64_t *line = allocate((size_t)n, sizeof line[0]);
-
-    for (int i = 0; i < n; i++) {
-        int64_t *first = value + i * (stride == 1 ? n : 1);
-
-        for (int j = 0; j < n; j++)
-            line[j] = first[j * stride];
-        for (int j = 0; j < n; j++)
-            for (int d = -most; d <= most; d++)
-                if (line[(j + d) & (n - 1)] > first[j * stride])
-                    first[j * stride] = line[(j + d) & (n - 1)];
-    }
-    scratch_release(mark);
-}
-
 static void measure_rows(struct close_pairs *c)
 {
     int side = 1 << c->r->n, entries = c->r->side_a * c->r->side_b;
-    size_t count = (size_t)side * (size_t)side;
 
-    c->norm = allocate(count, sizeof c->norm[0]);
-    for (int i = 0; i < side * side; i++)
-        for (int j = 0; j < entries; j++)
-            c->norm[i] += magnitude(c->r->entry[i * entries + j]);
-    for (int axis = 0; axis < 2; axis++) {
-        c->step[axis] = allocate(count, sizeof c->step[axis][0]);
-        for (int i = 0; i < side * side; i++)
-            c->step[axis][i] = difference(c, i / side, i % side, axis == 0, axis == 1, 1, 1);
-        spread_most(c->step[axis], side, side, c->most_a);
-        spread_most(c->step[axis], side, 1, c->most_b);
+    c->norm = allocate((size_t)side * (size_t)side, sizeof c->norm[0]);
+    for (int i = 0; i < side * side * entries; i++)
+        c->norm[i / entries] += magnitude(c->r->entry[i]);
+    for (int x = 0; x < side * side; x++) {
+        int64_t step = difference(c, x / side, x % side, 0, 1, 1, 1);
+
+        c->step = step > c->step ? step : c->step;
     }
 }
 
-/* Are all close pairs x = (a,b), x + d with d in the box good?  If h is less than its limit
- * for all of them they are; single ones must be good. */
-static bool box_is_good(const struct close_pairs *c, int a, int b, struct box d)
+/* Are the close pairs x = (a,b), x + (da,db) good, for all db? */
+static bool line_is_good(const struct close_pairs *c, int a, int b, int da)
 {
-    int side_a = d.high_a - d.low_a, side_b = d.high_b - d.low_b;
-    int da = d.low_a + side_a / 2, db = d.low_b + side_b / 2, x = (a << c->r->n) + b;
-    int64_t unit = (INT64_C(1) << ROW_BITS) - c->r->error, room, change;
-    struct box lower = d, upper = d;
+    int64_t unit = (INT64_C(1) << ROW_BITS) - c->r->error;
 
-    if (d.low_a + d.low_b > c->most_sum || d.high_a + d.high_b < -c->most_sum)
-        return true;
-    room = 2 * c->t * unit - difference(c, a, b, da, db, UNIT + c->t, c->t - UNIT);
-    change = (side_a - side_a / 2) * c->step[0][x] + (side_b - side_b / 2) * c->step[1][x];
-    if (change < room / (c->t - UNIT))
-        return true;
-    if (side_a == 0 && side_b == 0)
-        return room >= 0 && difference(c, a, b, da, db, 1, 1) < 2 * unit;
-    if (side_a > side_b) {
-        lower.high_a = da;
-        upper.low_a = da + 1;
-    } else {
-        lower.high_b = db;
-        upper.low_b = db + 1;
+    for (int64_t db = -c->most_b; db <= c->most_b; db++) {
+        int64_t room;
+
+        if (da + db < -c->most_sum || da + db > c->most_sum)
+            continue;
+        room = 2 * c->t * unit - difference(c, a, b, da, (int)db, UNIT + c->t, c->t - UNIT);
+        if (room < 0 || (room == 0 && difference(c, a, b, da, (int)db, 1, 1) >= 2 * unit))
+            return false;
+        if (room > 0)                              /* so many more have room > 0 */
+            db += (room - 1) / ((c->t - UNIT) * (c->step + 1));
     }
-    return box_is_good(c, a, b, lower) && box_is_good(c, a, b, upper);
+    return true;
 }
 
 static bool all_are_good(struct close_pairs *c)
 {
-    struct box all = { -c->most_a, c->most_a, -c->most_b, c->most_b };
     int side = 1 << c->r->n;
 
     measure_rows(c);
-    for (int i = 0; i < side * side; i++)
-        if (!box_is_good(c, i / side, i % side, all))
-            return false;
+    for (int x = 0; x < side * side; x++)
+        for (int da = -c->most_a; da <= c->most_a; da++)
+            if (!line_is_good(c, x / side, x % side, da))
+                return false;
     return true;
 }
 
