@@ -329,7 +329,7 @@ static bool blocks_fit(const char *name, int64_t first, int64_t last, struct spa
     snprintf(file, sizeof file, "%s/lib/catalogue/%s.scheme", source != NULL ? source : ".",
              name);
     text = text_read_file(file, 65536, &size);
-    scheme_read(scheme, file, text, size, NULL, 0);
+    scheme_read(scheme, file, text, size);
     valence_prepare(&all, scheme, reference, (struct span) { first, last }, FINE);
     block_prepare_over(&block, &all, m, u);
     matrix = block_matrix(&block);

@@ -112,8 +112,8 @@ static void add_setting(struct arguments *out, const char *text)
     const char *sign = strchr(text, '=');
     char *name;
 
-    if (sign == NULL || sign == text)
-        cannot_check("--set: expected NAME=VALUE");
+    if (sign == NULL || sign == text || sign[1] == '\0' || strpbrk(sign, "#\n") != NULL)
+        cannot_check("--set: expected NAME=VALUE, and a value on one line");
     if (out->settings == MAX_SETTINGS)
         cannot_check("--set: expected at most %d settings", MAX_SETTINGS);
     name = allocate((size_t)(sign - text) + 1, 1);
@@ -121,7 +121,7 @@ static void add_setting(struct arguments *out, const char *text)
     for (int i = 0; i < out->settings; i++)
         if (strcmp(out->setting[i].name, name) == 0)
             cannot_check("--set: `%s` is set twice", name);
-    out->setting[out->settings++] = (struct setting) { name, sign + 1, false };
+    out->setting[out->settings++] = (struct setting) { name, sign + 1 };
 }
 
 /* Output that did not arrive is no answer. */

@@ -55,16 +55,12 @@ struct scheme {
     bool mirrored;                                 /* evidently mirror-symmetric */
 };
 
-/* --set NAME=VALUE */
-struct setting {
-    const char *name, *value;
-    bool used;
-};
-
 /* Reads the text of the file (whose bytes text_canonical() has checked).  A text
  * that is not a scheme: cannot check. */
-void scheme_read(struct scheme *out, const char *file, const char *text, size_t size,
-                 struct setting *settings, int setting_count);
+void scheme_read(struct scheme *out, const char *file, const char *text, size_t size);
+
+/* Is it a triangle scheme of one mask and one rule, as in verify/scheme-0.md? */
+bool scheme_is_of_version_0(const struct scheme *scheme);
 
 /* The largest reach of a mask's points: section 5, "Size". */
 int mask_reach(const struct mask *mask, enum mesh old, enum mesh new);

@@ -200,6 +200,22 @@ bool cursor_accept(struct cursor *c, char token)
     return true;
 }
 
+void cursor_expect(struct cursor *c, char token, const char *message)
+{
+    if (!cursor_accept(c, token))
+        cursor_error(c, message);
+}
+
+bool cursor_accept_text(struct cursor *c, const char *text)
+{
+    size_t length = strlen(text);
+
+    if ((size_t)(c->end - c->at) < length || memcmp(c->at, text, length) != 0)
+        return false;
+    c->at += length;
+    return true;
+}
+
 /* The length of the word at the cursor. */
 static size_t word_length(const struct cursor *c)
 {

@@ -59,6 +59,12 @@ void cursor_expect_end(struct cursor *c);
 /* If the next token is this character: step over it. */
 bool cursor_accept(struct cursor *c, char token);
 
+/* The same; another token: cannot check. */
+void cursor_expect(struct cursor *c, char token, const char *message);
+
+/* If this text is at the cursor (without blanks before it): step over it. */
+bool cursor_accept_text(struct cursor *c, const char *text);
+
 /* If the next token is this word: step over it.  Words are lower-case letters,
  * behind the first also digits and `_`. */
 bool cursor_accept_word(struct cursor *c, const char *word);
