@@ -574,21 +574,19 @@ static void read_composition(struct reader *r)
 
 int mask_reach(const struct mask *mask, enum mesh old, enum mesh new)
 {
+    struct points p = mask_points(mask);
     int out = 0;
 
-    for (int i = 0; i < mask->side_a * mask->side_b; i++) {
-        int a = i / mask->side_b + mask->low_a, b = i % mask->side_b + mask->low_b;
-        int reach;
+    if (old == QUAD && new == DUAL)                /* average */
+        return 0;
+    for (int i = 0; i < p.count; i++) {
+        int a = p.point[i].a, b = p.point[i].b, reach;
 
-        if (mask->coefficient[i].sign == 0)
-            continue;
         if (old == DUAL && new == DUAL) {          /* i >= 0 counts as i + 1 */
             a = a >= 0 ? a + 1 : a;
             b = b >= 0 ? b + 1 : b;
         }
         reach = lattice_distance(new, a, b);
-        if (old == QUAD && new == DUAL)            /* average */
-            reach = 0;
         out = reach > out ? reach : out;
     }
     return out;
