@@ -44,7 +44,7 @@ static struct value weigh_each(interval *out, const struct node *formula,
         integer_keep(mark, keep, 4);
         out[j] = (interval) { keep[0], keep[1] };
         if (sum.kind == RATIONAL)
-            sum.q = (rational) { keep[2], keep[3] };
+            sum.q = sum.q_last = (rational) { keep[2], keep[3] };
         else
             sum.x = (interval) { keep[2], keep[3] };
     }

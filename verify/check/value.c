@@ -38,15 +38,7 @@ static struct value undefined(const struct node *at, const char *fault, bool ope
 
 struct value value_from(rational q)
 {
-    struct value out = { .kind = RATIONAL, .q = q };
-
-    return out;
-}
-
-/* An exact multiple of pi that may be 0. */
-static struct value angle(rational q)
-{
-    struct value out = { .kind = q.num.sign == 0 ? RATIONAL : ANGLE, .q = q };
+    struct value out = { .kind = RATIONAL, .q = q, .q_last = q };
 
     return out;
 }
@@ -60,7 +52,8 @@ struct value value_enclosure(interval x)
 
 void value_constant(struct value *out, const struct node *f)
 {
-    *out = f->kind == NODE_PI ? angle(rational_from(1, 1)) : value_from(f->number);
+    *out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
+    out->kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
 }
 
 void value_variable(struct value *out, struct span span, bool divides,
@@ -71,10 +64,8 @@ void value_variable(struct value *out, struct span span, bool divides,
         return;
     }
     *out = value_from(rational_from(span.first, 1));
-    if (!span_is_several(span))
-        return;
-    out->range = out->whole = true;
-    out->divides = divides;
+    out->range = out->whole = span_is_several(span);
+    out->divides = divides && out->range;
     out->q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
 }
 
@@ -114,7 +105,7 @@ void value_keep(struct mark mark, struct value *v)
     } else {
         integer_keep(mark, part, v->range ? 4 : 2);
         v->q = (rational) { part[0], part[1] };
-        v->q_last = (rational) { part[2], part[3] };
+        v->q_last = v->range ? (rational) { part[2], part[3] } : v->q;
     }
 }
 
@@ -155,40 +146,23 @@ static struct value with_enclosures(struct value a, char operation, struct value
     return value_enclosure(grid_div(x, y, g));
 }
 
-static rational apply_exactly(rational a, char operation, rational b)
-{
-    return operation == '+' ? rational_add(a, b)
-         : operation == '-' ? rational_sub(a, b)
-         : operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
-}
-
 /* Ranges
  * ------
  *
  * Sums of ends, low ones of low ones (never oo) and high ones of high ones (never -oo);
  * products and quotients, 0 * oo = 0 and a / oo = 0 for finite a. */
 
-static rational add_ends(rational a, rational b)
+static rational apply_to_ends(rational a, char operation, rational b)
 {
-    return is_infinite(a) ? a : is_infinite(b) ? b : rational_add(a, b);
-}
+    int sign = a.num.sign * b.num.sign;
 
-static rational multiply_ends(rational a, rational b)
-{
-    if (a.num.sign == 0 || b.num.sign == 0)
+    if (operation == '+')
+        return is_infinite(a) ? a : is_infinite(b) ? b : rational_add(a, b);
+    if (sign == 0 || (operation == '/' && is_infinite(b)))
         return rational_from(0, 1);
     if (is_infinite(a) || is_infinite(b))
-        return infinite_end(a.num.sign * b.num.sign);
-    return rational_mul(a, b);
-}
-
-static rational divide_ends(rational a, rational b)
-{
-    if (is_infinite(b))
-        return rational_from(0, 1);
-    if (is_infinite(a))
-        return infinite_end(a.num.sign * b.num.sign);
-    return rational_divide(a, b);
+        return infinite_end(sign);
+    return operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
 }
 
 /* Not of two equal infinite ones. */
@@ -199,11 +173,6 @@ static int compare_ends(rational a, rational b)
     if (x == 0 && y == 0)
         return rational_compare(a, b);
     return (x > y) - (x < y);
-}
-
-static rational last_of(const struct value *v)
-{
-    return v->range ? v->q_last : v->q;
 }
 
 /* May it be divided by, and has it one sign? */
@@ -217,30 +186,33 @@ static bool is_whole(const struct value *v)
     return v->range ? v->whole : rational_is_whole(v->q);
 }
 
-static struct value apply_to_ranges(struct value a, char operation, struct value b,
-                                    enum value_kind kind, const struct node *at)
+static struct value apply_exactly(struct value a, char operation, struct value b,
+                                  enum value_kind kind, const struct node *at)
 {
-    struct value out = { .kind = kind, .range = true, .divides = a.divides || b.divides };
+    struct value out = { .kind = kind, .range = a.range || b.range,
+                         .divides = a.divides || b.divides };
 
     if (operation == '/' && is_unbounded(&a) && is_unbounded(&b))
         return undefined(at, UNBOUNDED, true);
     out.whole = operation != '/' && is_whole(&a) && is_whole(&b);
-    if (operation == '-')
+    if (operation == '-') {
         value_negate(&b);
-    if (operation == '+' || operation == '-') {
-        out.q = add_ends(a.q, b.q);
-        out.q_last = add_ends(last_of(&a), last_of(&b));
-        return out;
+        operation = '+';
     }
-    for (int i = 0; i < 4; i++) {
-        rational x = i % 2 == 0 ? a.q : last_of(&a), y = i < 2 ? b.q : last_of(&b);
-        rational end = operation == '*' ? multiply_ends(x, y) : divide_ends(x, y);
+    out.q = out.q_last = apply_to_ends(a.q, operation, b.q);
+    if (out.range && operation == '+')
+        out.q_last = apply_to_ends(a.q_last, operation, b.q_last);
+    for (int i = 1; out.range && operation != '+' && i < 4; i++) {
+        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation,
+                                     i == 1 ? b.q : b.q_last);
 
-        if (i == 0 || compare_ends(end, out.q) < 0)
+        if (compare_ends(end, out.q) < 0)
             out.q = end;
-        if (i == 0 || compare_ends(end, out.q_last) > 0)
+        if (compare_ends(end, out.q_last) > 0)
             out.q_last = end;
     }
+    if (!out.range && out.q.num.sign == 0)         /* an angle is not 0 */
+        out.kind = RATIONAL;
     return out;
 }
 
@@ -250,8 +222,6 @@ static struct value apply(struct value a, char operation, struct value b,
     bool sum = operation == '+' || operation == '-';
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
     int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
-    enum value_kind kind;
-    struct value out;
 
     if (a.kind == UNDEFINED)
         return a;
@@ -267,13 +237,8 @@ static struct value apply(struct value a, char operation, struct value b,
         (operation == '*' && a.range && b.range) ||
         (operation == '/' && b.range && !is_signed_range(&b)))
         return with_enclosures(a, operation, b, at, g);
-    kind = angles == 0 || (operation == '/' && angles == 2) ? RATIONAL : ANGLE;
-    if (a.range || b.range)
-        return apply_to_ranges(a, operation, b, kind, at);
-    out = angle(apply_exactly(a.q, operation, b.q));
-    if (kind == RATIONAL)
-        out.kind = RATIONAL;
-    return out;
+    return apply_exactly(a, operation, b, angles == 0 || (operation == '/' && angles == 2)
+                                          ? RATIONAL : ANGLE, at);
 }
 
 void value_apply(struct value *a, char operation, const struct value *b,
@@ -284,16 +249,14 @@ void value_apply(struct value *a, char operation, const struct value *b,
 
 void value_negate(struct value *v)
 {
+    rational low = v->q_last;
+
     if (v->kind == ENCLOSURE)
         v->x = interval_minus(v->x);
-    else if (v->kind != UNDEFINED)
-        v->q = rational_negate(v->q);
-    if (v->kind != ENCLOSURE && v->kind != UNDEFINED && v->range) {
-        rational low = rational_negate(v->q_last);
-
-        v->q_last = v->q;
-        v->q = low;
-    }
+    if (v->kind == ENCLOSURE || v->kind == UNDEFINED)
+        return;
+    v->q_last = rational_negate(v->q);
+    v->q = rational_negate(low);
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -431,15 +394,15 @@ void value_power(struct value *base, const struct value *exponent, bool minus,
  * ----------- */
 
 /* join: = ! < l (<=) > g (>=), as in formula.h; y - x has this sign. */
-static enum truth holds_for_sign(char join, int sign)
+static bool holds_for_sign(char join, int sign)
 {
     switch (join) {
-    case '=': return sign == 0 ? YES : NO;
-    case '!': return sign != 0 ? YES : NO;
-    case '<': return sign > 0 ? YES : NO;
-    case 'l': return sign >= 0 ? YES : NO;
-    case '>': return sign < 0 ? YES : NO;
-    default:  return sign <= 0 ? YES : NO;
+    case '=': return sign == 0;
+    case '!': return sign != 0;
+    case '<': return sign > 0;
+    case 'l': return sign >= 0;
+    case '>': return sign < 0;
+    default:  return sign <= 0;
     }
 }
 
@@ -447,12 +410,12 @@ static enum truth holds_for_sign(char join, int sign)
  * signs between occur, as far as is known. */
 static enum truth holds_for_signs(char join, int low, int high)
 {
-    enum truth out = holds_for_sign(join, low);
+    bool out = holds_for_sign(join, low);
 
     for (int sign = low; sign <= high; sign++)
         if (holds_for_sign(join, sign) != out)
             return UNKNOWN;
-    return out;
+    return out ? YES : NO;
 }
 
 static enum truth compare(struct value a, char join, struct value b, int g)
@@ -462,8 +425,8 @@ static enum truth compare(struct value a, char join, struct value b, int g)
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
     if (a.kind == b.kind && a.kind != ENCLOSURE)
-        return holds_for_signs(join, compare_ends(b.q, last_of(&a)),
-                               compare_ends(last_of(&b), a.q));
+        return holds_for_signs(join, compare_ends(b.q, a.q_last),
+                               compare_ends(b.q_last, a.q));
     if (is_unbounded(&a) || is_unbounded(&b))
         return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
@@ -478,13 +441,6 @@ enum truth value_compare(const struct value *a, char join, const struct value *b
 /* Functions
  * --------- */
 
-static interval enclose_cos_pi(rational q, int g)
-{
-    rational exact;
-
-    return rational_cos_pi(&exact, q) ? grid_from_rational(exact, g) : grid_cos_pi(q, g);
-}
-
 /* Is there a whole number n with low <= 2 n + shift <= high? */
 static bool passes(rational low, rational high, int shift)
 {
@@ -497,7 +453,7 @@ static bool passes(rational low, rational high, int shift)
 /* cos of the angles from q pi to q_last pi */
 static interval cos_of_range(rational q, rational q_last, int g)
 {
-    interval out = interval_hull(enclose_cos_pi(q, g), enclose_cos_pi(q_last, g));
+    interval out = interval_hull(grid_cos_pi(q, g), grid_cos_pi(q_last, g));
     bool rising = rational_compare(q, q_last) <= 0;
     rational low = rising ? q : q_last, high = rising ? q_last : q;
 
@@ -553,8 +509,8 @@ static struct value absolute(struct value v, int g)
         v = value_enclosure(value_enclose(v, g));
     if (v.kind == ENCLOSURE)
         v.x = interval_abs(v.x);
-    else
-        v.q.num = integer_absolute(v.q.num);
+    else if (v.q.num.sign < 0)
+        value_negate(&v);
     return v;
 }
 

@@ -6,8 +6,8 @@
  *
  * lib/scheme.md, "Value of a formula": an exact rational q, an angle q pi (q not
  * 0), or an enclosure.  The variables m and k may stand for several frequencies or
- * valences at once ("Ranges of k and m"): then exact values are ranges from q to q_last
- * (or these times pi); infinite ends have den = 0, num = -1 or 1.  A formula that has no
+ * valences at once ("Ranges of k and m"): then exact values are ranges from q to q_last, else
+ * the same, (or these times pi); infinite ends have den = 0, num = -1 or 1.  A formula that has no
  * value is undefined, which is an error only if the value is asked for.
  */
 
@@ -19,7 +19,7 @@ struct value {
     enum value_kind { RATIONAL, ANGLE, ENCLOSURE, UNDEFINED } kind;
     bool range;                                    /* RATIONAL, ANGLE: it varies */
     bool whole, divides;                           /* range: of whole ones? a divisor? */
-    rational q, q_last;                            /* (q_last: range) */
+    rational q, q_last;
     interval x;                                    /* ENCLOSURE */
     const struct node *at;                         /* UNDEFINED: where and why, */
     const char *fault;
