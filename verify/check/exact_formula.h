@@ -23,7 +23,8 @@ struct ring {
 
     void (*set)(void *out, rational q);
 
-    /* a := a + b, a - b, a * b, a / b; false if there is no such value.  Division may change b. */
+    /* a := a + b, a - b, a * b, a / b; false if there is no such value.  Division may
+     * change b. */
     bool (*apply)(void *a, char operation, void *b, const void *field);
 };
 

@@ -565,7 +565,8 @@ static void read_composition(struct reader *r)
         read_smooth(r, &c);
     }
     cursor_expect_end(&c);
-    statements_end(&r->s);
+    if (statements_more(&c, &r->s))
+        cursor_expect_end(&c);
     out->step[0] = refine_step(out->mesh);
 }
 

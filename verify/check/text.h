@@ -44,9 +44,6 @@ void statements_next(struct cursor *out, struct statements *s,
 /* The same, but false at the end of the file. */
 bool statements_more(struct cursor *out, struct statements *s);
 
-/* Anything more but comments and blanks: cannot check. */
-void statements_end(struct statements *s);
-
 /* "cannot check: FILE:LINE:COLUMN: ...", the column of the next token. */
 noreturn void cursor_error(const struct cursor *c, const char *message);
 
