@@ -80,7 +80,7 @@ static bool is_monomial(const struct node *f, char join, struct value *constant,
         struct environment e = environment_plain(l, CONSTANT_GRID);
         struct value v = evaluate(f, &e);
 
-        value_apply(constant, join, &v, f, CONSTANT_GRID);
+        *constant = value_apply(*constant, join, v, f, CONSTANT_GRID);
         return true;
     }
     if (f->kind != NODE_PRODUCT || join != '*')

@@ -29,7 +29,7 @@ static bool is_unbounded(const struct value *v)
            (is_infinite(v->q) || is_infinite(v->q_last));
 }
 
-static struct value undefined(const struct node *at, const char *fault, bool open)
+struct value value_undefined(const struct node *at, const char *fault, bool open)
 {
     struct value out = { .kind = UNDEFINED, .at = at, .fault = fault, .open = open };
 
@@ -50,29 +50,24 @@ struct value value_enclosure(interval x)
     return out;
 }
 
-void value_constant(struct value *out, const struct node *f)
+struct value value_constant(const struct node *f)
 {
-    *out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
-    out->kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
+    struct value out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
+
+    out.kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
+    return out;
 }
 
-void value_variable(struct value *out, struct span span, bool divides,
-                    const struct node *at)
+struct value value_variable(struct span span, bool divides, const struct node *at)
 {
-    if (span.first < 0) {
-        *out = undefined(at, "k, m or j has no meaning here", false);
-        return;
-    }
-    *out = value_from(rational_from(span.first, 1));
-    out->range = out->whole = span_is_several(span);
-    out->divides = divides && out->range;
-    out->q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
-}
+    struct value out = value_from(rational_from(span.first, 1));
 
-void value_undefine(struct value *out, const struct node *at, const char *fault,
-                    bool open)
-{
-    *out = undefined(at, fault, open);
+    if (span.first < 0)
+        return value_undefined(at, "k, m or j has no meaning here", false);
+    out.range = out.whole = span_is_several(span);
+    out.divides = divides && out.range;
+    out.q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
+    return out;
 }
 
 static interval enclose_exact(rational q, bool angle, int g)
@@ -132,7 +127,7 @@ static struct value with_enclosures(struct value a, char operation, struct value
     interval x, y;
 
     if (is_unbounded(&a) || is_unbounded(&b))
-        return undefined(at, UNBOUNDED, true);
+        return value_undefined(at, UNBOUNDED, true);
     x = value_enclose(a, g);
     y = value_enclose(b, g);
     if (operation == '+')
@@ -142,7 +137,7 @@ static struct value with_enclosures(struct value a, char operation, struct value
     if (operation == '*')
         return value_enclosure(grid_mul(x, y, g));
     if (interval_contains_zero(y))
-        return undefined(at, "division by an enclosure of zero", !interval_is_zero(y));
+        return value_undefined(at, "division by an enclosure of zero", !interval_is_zero(y));
     return value_enclosure(grid_div(x, y, g));
 }
 
@@ -193,10 +188,10 @@ static struct value apply_exactly(struct value a, char operation, struct value b
                          .divides = a.divides || b.divides };
 
     if (operation == '/' && is_unbounded(&a) && is_unbounded(&b))
-        return undefined(at, UNBOUNDED, true);
+        return value_undefined(at, UNBOUNDED, true);
     out.whole = operation != '/' && is_whole(&a) && is_whole(&b);
     if (operation == '-') {
-        value_negate(&b);
+        b = value_negate(b);
         operation = '+';
     }
     out.q = out.q_last = apply_to_ends(a.q, operation, b.q);
@@ -216,8 +211,8 @@ static struct value apply_exactly(struct value a, char operation, struct value b
     return out;
 }
 
-static struct value apply(struct value a, char operation, struct value b,
-                          const struct node *at, int g)
+struct value value_apply(struct value a, char operation, struct value b,
+                         const struct node *at, int g)
 {
     bool sum = operation == '+' || operation == '-';
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
@@ -228,7 +223,7 @@ static struct value apply(struct value a, char operation, struct value b,
     if (b.kind == UNDEFINED)
         return b;
     if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
-        return undefined(at, "division by zero", false);
+        return value_undefined(at, "division by zero", false);
 
     /* Exact: rational with rational; angle +- angle; angle times or divided
      * by a rational; angle / angle.  In ranges a factor varies at most. */
@@ -241,22 +236,17 @@ static struct value apply(struct value a, char operation, struct value b,
                                           ? RATIONAL : ANGLE, at);
 }
 
-void value_apply(struct value *a, char operation, const struct value *b,
-                 const struct node *at, int g)
+struct value value_negate(struct value v)
 {
-    *a = apply(*a, operation, *b, at, g);
-}
+    rational low = v.q_last;
 
-void value_negate(struct value *v)
-{
-    rational low = v->q_last;
-
-    if (v->kind == ENCLOSURE)
-        v->x = interval_minus(v->x);
-    if (v->kind == ENCLOSURE || v->kind == UNDEFINED)
-        return;
-    v->q_last = rational_negate(v->q);
-    v->q = rational_negate(low);
+    if (v.kind == ENCLOSURE)
+        v.x = interval_minus(v.x);
+    if (v.kind == ENCLOSURE || v.kind == UNDEFINED)
+        return v;
+    v.q_last = rational_negate(v.q);
+    v.q = rational_negate(low);
+    return v;
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -310,18 +300,18 @@ static struct value power_of_range(struct value base, struct value exponent,
 
     if (base.kind != RATIONAL || base.range || base.q.num.sign <= 0 ||
         exponent.kind != RATIONAL || !exponent.whole)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (rational_equals(base.q, 1, 1))
         return value_from(one);
     if (rational_compare(base.q, one) < 0) {
         base.q = rational_divide(one, base.q);
-        value_negate(&exponent);
+        exponent = value_negate(exponent);
     }
     most = MAX_RANGE_BITS / (integer_bits(base.q.num) + integer_bits(base.q.den));
     if (!get_exponent(&low, exponent.q) || !get_exponent(&high, exponent.q_last))
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (most == 0 || high > most)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     return value_enclosure(interval_hull(low < -most ? grid_from(0, g)
                                                : whole_power(base.q, low, g),
                                    whole_power(base.q, high < -most ? -most : high, g)));
@@ -336,8 +326,8 @@ static bool is_too_long(rational q, integer n)
     return integer_compare(bits, integer_from(RATIONAL_BITS)) >= 0;
 }
 
-static struct value power(struct value base, struct value exponent, bool minus,
-                          const struct node *at, int g)
+struct value value_power(struct value base, struct value exponent, bool minus,
+                         const struct node *at, int g)
 {
     struct value one = value_from(rational_from(1, 1)), out;
     int64_t n;
@@ -345,17 +335,17 @@ static struct value power(struct value base, struct value exponent, bool minus,
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
         return base.kind == UNDEFINED ? base : exponent;
     if (minus)
-        value_negate(&exponent);
+        exponent = value_negate(exponent);
     if (exponent.range)
         return power_of_range(base, exponent, at, g);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
-        return undefined(at, "the exponent is not a whole number", false);
+        return value_undefined(at, "the exponent is not a whole number", false);
     if (exponent.q.num.sign == 0)
         return one;
     minus = exponent.q.num.sign < 0;
     exponent.q.num = integer_absolute(exponent.q.num);
     if (base.kind == RATIONAL && !base.range && is_too_long(base.q, exponent.q.num)) {
-        return undefined(at, "it is too long", true);
+        return value_undefined(at, "it is too long", true);
     } else if (base.kind == RATIONAL && !base.range) {
         out = value_from(rational_power(base.q, exponent.q.num));
     } else {
@@ -364,30 +354,21 @@ static struct value power(struct value base, struct value exponent, bool minus,
         if (base.kind == ANGLE && n == 1 && !minus)
             return base;
         if (is_unbounded(&base))
-            return undefined(at, UNBOUNDED, true);
+            return value_undefined(at, UNBOUNDED, true);
         base = out = value_enclosure(value_enclose(base, g));
         for (int64_t i = 1; i < n; i++)
-            out = apply(out, '*', base, at, g);
+            out = value_apply(out, '*', base, at, g);
     }
-    return minus ? apply(one, '/', out, at, g) : out;
+    return minus ? value_apply(one, '/', out, at, g) : out;
 }
 
-void value_hull(struct value *a, const struct value *b, const struct node *at, int g)
+struct value value_hull(struct value a, struct value b, const struct node *at, int g)
 {
-    if (a->kind == UNDEFINED)
-        return;
-    if (b->kind == UNDEFINED)
-        *a = *b;
-    else if (is_unbounded(a) || is_unbounded(b))
-        *a = undefined(at, UNBOUNDED, true);
-    else
-        *a = value_enclosure(interval_hull(value_enclose(*a, g), value_enclose(*b, g)));
-}
-
-void value_power(struct value *base, const struct value *exponent, bool minus,
-                 const struct node *at, int g)
-{
-    *base = power(*base, *exponent, minus, at, g);
+    if (a.kind == UNDEFINED || b.kind == UNDEFINED)
+        return a.kind == UNDEFINED ? a : b;
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return value_undefined(at, UNBOUNDED, true);
+    return value_enclosure(interval_hull(value_enclose(a, g), value_enclose(b, g)));
 }
 
 /* Comparisons
@@ -418,7 +399,7 @@ static enum truth holds_for_signs(char join, int low, int high)
     return out ? YES : NO;
 }
 
-static enum truth compare(struct value a, char join, struct value b, int g)
+enum truth value_compare(struct value a, char join, struct value b, int g)
 {
     interval difference;
 
@@ -431,11 +412,6 @@ static enum truth compare(struct value a, char join, struct value b, int g)
         return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
     return holds_for_signs(join, difference.lo.sign, difference.hi.sign);
-}
-
-enum truth value_compare(const struct value *a, char join, const struct value *b, int g)
-{
-    return compare(*a, join, *b, g);
 }
 
 /* Functions
@@ -473,7 +449,7 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
     if (v.kind == RATIONAL && v.range && v.q.num.sign == 0 && v.q_last.num.sign == 0)
         v.range = false;
     if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.range || v.q.num.sign != 0)))
-        return undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
+        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
     if (v.range && sine)
@@ -498,7 +474,7 @@ static struct value square_root(struct value v, const struct node *at, int g)
     }
     x = value_enclose(v, g);
     if (x.lo.sign < 0)
-        return undefined(at, "the square root of something that is or may be negative",
+        return value_undefined(at, "the square root of something that is or may be negative",
                          (v.kind == ENCLOSURE || v.range) && x.hi.sign >= 0);
     return value_enclosure(grid_root(x, g));
 }
@@ -510,7 +486,7 @@ static struct value absolute(struct value v, int g)
     if (v.kind == ENCLOSURE)
         v.x = interval_abs(v.x);
     else if (v.q.num.sign < 0)
-        value_negate(&v);
+        v = value_negate(v);
     return v;
 }
 
@@ -529,32 +505,28 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 static struct value modulo(struct value a, struct value b, const struct node *at)
 {
     if (a.range || b.range)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (a.kind != RATIONAL || b.kind != RATIONAL || !rational_is_whole(a.q) ||
         !rational_is_whole(b.q))
-        return undefined(at, "mod is of whole numbers", false);
+        return value_undefined(at, "mod is of whole numbers", false);
     if (b.q.num.sign == 0)
-        return undefined(at, "division by zero", false);
+        return value_undefined(at, "division by zero", false);
     return value_from(rational_sub(a.q, rational_mul(b.q,
                       rational_floor(rational_divide(a.q, b.q)))));
 }
 
-void value_function(struct value *out, const struct value *b, const struct node *f, int g)
+struct value value_function(struct value a, struct value b, const struct node *f, int g)
 {
-    if (out->kind == UNDEFINED)
-        return;
-    if (b != NULL && b->kind == UNDEFINED)
-        *out = *b;
-    else if (f->kind == NODE_COS || f->kind == NODE_SIN)
-        *out = cos_or_sin(*out, f, g);
-    else if (is_unbounded(out) || (b != NULL && is_unbounded(b)))
-        *out = undefined(f, UNBOUNDED, true);
-    else if (f->kind == NODE_SQRT)
-        *out = square_root(*out, f, g);
-    else if (f->kind == NODE_ABS)
-        *out = absolute(*out, g);
-    else if (f->kind == NODE_MOD)
-        *out = modulo(*out, *b, f);
-    else
-        *out = least_or_greatest(*out, *b, f->kind == NODE_MIN, g);
+    if (a.kind == UNDEFINED || b.kind == UNDEFINED)
+        return a.kind == UNDEFINED ? a : b;
+    if (f->kind == NODE_COS || f->kind == NODE_SIN)
+        return cos_or_sin(a, f, g);
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return value_undefined(f, UNBOUNDED, true);
+    switch (f->kind) {
+    case NODE_SQRT: return square_root(a, f, g);
+    case NODE_ABS:  return absolute(a, g);
+    case NODE_MOD:  return modulo(a, b, f);
+    default:        return least_or_greatest(a, b, f->kind == NODE_MIN, g);
+    }
 }
