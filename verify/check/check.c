@@ -8,7 +8,6 @@
 #include "decide.h"
 #include "regular.h"
 #include "spectrum.h"
-#include "stability.h"
 #include "text.h"
 #include "ties.h"
 #include "window.h"

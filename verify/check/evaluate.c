@@ -1,7 +1,7 @@
 /* Formulas evaluated.  They nest 64 deep, and definitions are evaluated one by one, before what
  * names them. */
 
-#include "evaluate.h"
+#include "value.h"
 
 #include "answer.h"
 

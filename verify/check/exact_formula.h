@@ -8,7 +8,7 @@
  * Laurent polynomials in k.  Sums, products, powers, names and `cases` are the same in both.
  */
 
-#include "evaluate.h"
+#include "value.h"
 #include "field.h"
 
 /* What the values are. */

@@ -12,7 +12,7 @@
  * irregular.
  */
 
-#include "influence.h"
+#include "scheme.h"
 
 #include "sector.h"
 

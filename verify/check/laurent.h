@@ -3,7 +3,7 @@
 
 /* Laurent values: certificate-valences.md, section 4, "Limit". */
 
-#include "evaluate.h"
+#include "value.h"
 
 enum { LAURENT_DEGREE = 64 };
 

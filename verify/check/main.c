@@ -40,14 +40,13 @@
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions
  *     check           sections 3 to 9, one after the other
- *     claim           the valences that are claimed
- *     folder          the certificates of a folder
+ *     claim           the valences that are claimed, the certificates of a folder
  *     main            arguments and section 10
  */
 
 #include "answer.h"
 #include "check.h"
-#include "folder.h"
+#include "claim.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,6 @@
 #include "scheme.h"
 
 #include "answer.h"
-#include "symmetry.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -10,7 +10,7 @@
  */
 
 #include "mask.h"
-#include "evaluate.h"
+#include "value.h"
 
 enum { MAX_RULES = 16, MAX_SOURCES = 32, MAX_STEPS = 34 };
 
@@ -70,5 +70,12 @@ int label_ring(enum mesh mesh, int a, int b);
 
 /* needed(j) of section 5 for one step. */
 int step_needs(const struct step *step, int j);
+
+/* Is it evidently mirror-symmetric: lib/scheme.md, "Mirror symmetry"? */
+bool scheme_is_mirrored(const struct scheme *scheme);
+
+/* F of lib/ring.md: the farthest ring on which a new value may not follow the scheme's mask, at
+ * whatever valence beyond the regular one. */
+int scheme_influence(const struct scheme *scheme);
 
 #endif

@@ -7,7 +7,7 @@
  * so from -max(u, 0) to max(-l, 0).
  */
 
-#include "stability.h"
+#include "regular.h"
 
 #include "answer.h"
 

@@ -4,7 +4,7 @@
  * (a,b), b > 0, to that of (b,a) in the sector 0, but the rule of a point (a,0) to that of
  * (a,0) in the sector 1.  Below, sectors are counted from the rule's own one. */
 
-#include "symmetry.h"
+#include "scheme.h"
 
 enum { CONSTANT_GRID = 64 };
 

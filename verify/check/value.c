@@ -4,7 +4,7 @@
 #include "value.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 enum { MAX_EXPONENT = 16384,                       /* of bases that are not exact */
        MAX_RANGE_BITS = 4096 };                    /* of powers in ranges of m */
@@ -426,12 +426,10 @@ static bool passes(rational low, rational high, int shift)
     return rational_compare(rational_add(rational_mul(two, n), s), low) >= 0;
 }
 
-/* cos of the angles from q pi to q_last pi */
-static interval cos_of_range(rational q, rational q_last, int g)
+/* cos of the angles from low pi to high pi */
+static interval cos_of_range(rational low, rational high, int g)
 {
-    interval out = interval_hull(grid_cos_pi(q, g), grid_cos_pi(q_last, g));
-    bool rising = rational_compare(q, q_last) <= 0;
-    rational low = rising ? q : q_last, high = rising ? q_last : q;
+    interval out = interval_hull(grid_cos_pi(low, g), grid_cos_pi(high, g));
 
     if (passes(low, high, 0))
         out = interval_hull(out, grid_from(1, g));
@@ -440,26 +438,25 @@ static interval cos_of_range(rational q, rational q_last, int g)
     return out;
 }
 
-/* sin x = cos(pi/2 - x) */
 static struct value cos_or_sin(struct value v, const struct node *at, int g)
 {
-    bool sine = at->kind == NODE_SIN;
-    rational half = rational_from(1, 2), exact;
+    rational low = v.q, high = v.q_last, half = rational_from(1, 2), exact;
 
-    if (v.kind == RATIONAL && v.range && v.q.num.sign == 0 && v.q_last.num.sign == 0)
-        v.range = false;
-    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.range || v.q.num.sign != 0)))
-        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
+    if (v.kind == ENCLOSURE || (v.kind == RATIONAL &&
+                                (v.q.num.sign != 0 || v.q_last.num.sign != 0)))
+        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi",
+                               false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
-    if (v.range && sine)
-        return value_enclosure(cos_of_range(rational_sub(half, v.q),
-                                      rational_sub(half, v.q_last), g));
-    if (v.range)
-        return value_enclosure(cos_of_range(v.q, v.q_last, g));
-    if (sine ? rational_sin_pi(&exact, v.q) : rational_cos_pi(&exact, v.q))
+    if (at->kind == NODE_SIN) {                    /* sin x = cos(pi/2 - x) */
+        low = rational_sub(half, v.q_last);
+        high = rational_sub(half, v.q);
+    }
+    if (v.kind == ANGLE && v.range)
+        return value_enclosure(cos_of_range(low, high, g));
+    if (rational_cos_pi(&exact, low))
         return value_from(exact);
-    return value_enclosure(sine ? grid_sin_pi(v.q, g) : grid_cos_pi(v.q, g));
+    return value_enclosure(grid_cos_pi(low, g));
 }
 
 static struct value square_root(struct value v, const struct node *at, int g)
