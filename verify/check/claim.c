@@ -103,22 +103,17 @@ void claim_read(struct claim *out, const char *text)
 /* Folders
  * ------- */
 
-struct list {
-    int count, room;
-    struct proof_file *entry;
-};
-
-static void append(struct list *l, struct proof_file e)
+static void append(struct folder *l, struct proof_file e)
 {
     if (l->count == l->room) {
         struct proof_file *more = allocate(2 * (size_t)l->room + 64, sizeof more[0]);
 
         if (l->count > 0)
-            memcpy(more, l->entry, (size_t)l->count * sizeof more[0]);
-        l->entry = more;
+            memcpy(more, l->file, (size_t)l->count * sizeof more[0]);
+        l->file = more;
         l->room = 2 * l->room + 64;
     }
-    l->entry[l->count++] = e;
+    l->file[l->count++] = e;
 }
 
 static bool is_certificate(const char *name)
@@ -130,7 +125,7 @@ static bool is_certificate(const char *name)
 }
 
 /* Adds the certificate if it is about something of the claim. */
-static void consider(struct list *l, const char *folder, const char *file,
+static void consider(struct folder *l, const char *folder, const char *file,
                      const struct claim *claim)
 {
     size_t size = strlen(folder) + strlen(file) + 2;
@@ -167,8 +162,9 @@ static noreturn void missing(const char *folder, int64_t first, int64_t last)
 }
 
 /* Are the entries from e on, which are in order, all of s?  Returns the first behind. */
-static const struct proof_file *cover_span(const struct proof_file *e, const struct proof_file *end,
-                                      struct span s, const char *folder)
+static const struct proof_file *cover_span(const struct proof_file *e,
+                                           const struct proof_file *end, struct span s,
+                                           const char *folder)
 {
     int64_t next = s.first;
     bool done = false;
@@ -190,25 +186,23 @@ static const struct proof_file *cover_span(const struct proof_file *e, const str
 static void list_folder(struct folder *out, DIR *directory, const char *name,
                         const struct claim *claim)
 {
-    struct list l = { 0, 0, NULL };
     const struct proof_file *next;
 
     for (struct dirent *file; (file = readdir(directory)) != NULL; )
         if (is_certificate(file->d_name))
-            consider(&l, name, file->d_name, claim);
-    if (l.count > 0)
-        qsort(l.entry, (size_t)l.count, sizeof l.entry[0], by_valence);
-    next = l.entry;
+            consider(out, name, file->d_name, claim);
+    if (out->count > 0)
+        qsort(out->file, (size_t)out->count, sizeof out->file[0], by_valence);
+    next = out->file;
     for (int i = 0; i < claim->count; i++)
-        next = cover_span(next, l.entry + l.count, claim->span[i], name);
-    out->count = l.count;
-    out->file = l.entry;
+        next = cover_span(next, out->file + out->count, claim->span[i], name);
 }
 
 void folder_partition(struct folder *out, const char *name, const struct claim *claim)
 {
     DIR *directory = opendir(name);
 
+    *out = (struct folder) { 0, 0, NULL };
     if (directory != NULL) {
         list_folder(out, directory, name, claim);
         closedir(directory);
@@ -216,7 +210,5 @@ void folder_partition(struct folder *out, const char *name, const struct claim *
     }
     if (claim->count > 1)
         cannot_check("--valence: one certificate is about one valence or one range");
-    out->count = 1;
-    out->file = allocate(1, sizeof out->file[0]);
-    out->file[0] = (struct proof_file) { name, claim->span[0] };
+    append(out, (struct proof_file) { name, claim->span[0] });
 }

@@ -22,7 +22,7 @@ struct proof_file {
 };
 
 struct folder {
-    int count;
+    int count, room;                               /* of the list */
     struct proof_file *file;
 };
 

@@ -115,39 +115,42 @@ static bool classes_sum_to_one(const struct mask *mask)
     return true;
 }
 
-/* Has every label of the box the coefficient of its image?  (Then labels outside
- * of the box have no images with others: the images of the box's labels are as
- * many as they, and map(map(...)) comes back.) */
-static bool is_rotated(const struct mask *mask, enum mesh mesh)
+static void exchange(enum mesh mesh, int *a, int *b)
 {
-    for (int i = 0; i < mask->side_a; i++) {
-        for (int j = 0; j < mask->side_b; j++) {
-            int a = i + mask->low_a, b = j + mask->low_b;
-            integer here = at(mask, a, b);
+    int x = *a;
 
-            label_rotate(mesh, &a, &b);
-            if (integer_compare(here, at(mask, a, b)) != 0)
-                return false;
-        }
+    (void)mesh;
+    *a = *b;
+    *b = x;
+}
+
+/* Has every label with a coefficient an image with the same one?  (Then these labels are
+ * permuted, and the images of all others have none.) */
+static bool is_invariant(const struct mask *mask, enum mesh mesh,
+                         void (*map)(enum mesh mesh, int *a, int *b))
+{
+    struct points p = mask_points(mask);
+
+    for (int i = 0; i < p.count; i++) {
+        int a = p.point[i].a, b = p.point[i].b;
+
+        map(mesh, &a, &b);
+        if (integer_compare(p.point[i].weight, at(mask, a, b)) != 0)
+            return false;
     }
     return true;
 }
 
 bool mask_is_mirrored(const struct mask *mask)
 {
-    for (int i = 0; i < mask->side_a; i++)
-        for (int j = 0; j < mask->side_b; j++)
-            if (integer_compare(at(mask, i + mask->low_a, j + mask->low_b),
-                                at(mask, j + mask->low_b, i + mask->low_a)) != 0)
-                return false;
-    return true;
+    return is_invariant(mask, TRIANGLE, exchange);
 }
 
 const char *mask_fault(const struct mask *mask, enum mesh mesh)
 {
     if (!classes_sum_to_one(mask))
         return "a mask whose weights sum to 1 in each class modulo 2";
-    if (!is_rotated(mask, mesh))
+    if (!is_invariant(mask, mesh, label_rotate))
         return mesh == TRIANGLE ? "a mask invariant under (i,j) -> (-j, i+j)"
                                 : "a mask invariant under (i,j) -> (-j, i)";
     return NULL;
