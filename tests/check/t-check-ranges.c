@@ -83,7 +83,8 @@ static struct function draw_function(const rational t[2])
 static struct function apply_both(struct function f, char operation, struct function h)
 {
     for (int i = 0; i < 2; i++)
-        f.at[i] = apply_exactly(f.at[i], operation, h.at[i]);
+        f.at[i] = operation == '-' ? rational_sub(f.at[i], h.at[i])
+                                   : apply_to_ends(f.at[i], operation, h.at[i]);
     f.x = operation == '+' ? affine_add(f.x, h.x) : operation == '-' ? affine_sub(f.x, h.x)
         : operation == '*' ? affine_mul(f.x, h.x, G) : affine_div(f.x, h.x, G);
     return f;
@@ -329,7 +330,7 @@ static bool blocks_fit(const char *name, int64_t first, int64_t last, struct spa
     snprintf(file, sizeof file, "%s/lib/catalogue/%s.scheme", source != NULL ? source : ".",
              name);
     text = text_read_file(file, 65536, &size);
-    scheme_read(scheme, file, text, size, NULL, 0);
+    scheme_read(scheme, file, text, size);
     valence_prepare(&all, scheme, reference, (struct span) { first, last }, FINE);
     block_prepare_over(&block, &all, m, u);
     matrix = block_matrix(&block);

@@ -9,7 +9,6 @@
 #include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
-#include "stability.h"
 #include "text.h"
 #include "ties.h"
 #include "window.h"
@@ -30,7 +29,7 @@ struct statement {
     const char *file;
     char *text, *canonical;
     size_t text_size, canonical_size;
-    struct setting *settings;
+    const struct setting *settings;
     int setting_count;
     bool not_c1;                                   /* the claim */
 
@@ -45,60 +44,31 @@ struct statement {
 /* Section 3
  * --------- */
 
-/* The value of a setting as it stands in canonical text. */
-static const char *canonical_value(const char *value, size_t *size)
-{
-    char *out = text_canonical("--set", value, strlen(value), size);
-
-    if (*size < 2 || strchr(value, '#') != NULL || strchr(value, '\n') != NULL)
-        cannot_check("--set: expected a value on one line");
-    (*size)--;                                     /* the LF */
-    return out;
-}
-
-/* Where the value of parameter `name` begins in the canonical text, or NULL. */
-static char *find_parameter(char *text, const char *name)
-{
-    static const char word[] = "parameter ";
-    size_t length = strlen(name);
-
-    for (char *line = text; line != NULL && *line != '\0'; ) {
-        char *at = line + strlen(word);
-
-        if (strncmp(line, word, strlen(word)) == 0 && strncmp(at, name, length) == 0) {
-            at += length;
-            at += *at == ' ' ? 1 : 0;
-            if (*at == '=')
-                return at[1] == ' ' ? at + 2 : at + 1;
-        }
-        line = strchr(line, '\n');
-        line = line == NULL ? NULL : line + 1;
-    }
-    return NULL;
-}
-
-/* Settings without a parameter are complained of when the scheme is read. */
+/* Puts the value in place of that in the scheme's text. */
 static void apply_setting(struct statement *s, const struct setting *setting)
 {
-    char *from = find_parameter(s->canonical, setting->name), *to, *out;
-    size_t size, before, behind;
-    const char *value;
+    struct statements line = { s->file, 0, s->text, s->text + s->text_size };
+    size_t before, behind, size = strlen(setting->value);
+    struct cursor c;
+    char *out;
 
-    if (from == NULL)
-        return;
-    value = canonical_value(setting->value, &size);
-    to = strchr(from, '\n');
-    before = (size_t)(from - s->canonical);
-    behind = s->canonical_size - (size_t)(to - s->canonical);
+    do
+        if (!statements_more(&c, &line))
+            cannot_check("--set: the scheme has no parameter `%s`", setting->name);
+    while (!cursor_accept_word(&c, "parameter") || !cursor_accept_word(&c, setting->name) ||
+           !cursor_accept(&c, '='));
+    cursor_skip_blanks(&c);
+    before = (size_t)(c.at - s->text);
+    behind = s->text_size - (size_t)(c.end - s->text);
     out = allocate(before + size + behind + 1, 1);
-    memcpy(out, s->canonical, before);
-    memcpy(out + before, value, size);
-    memcpy(out + before + size, to, behind);
-    s->canonical = out;
-    s->canonical_size = before + size + behind;
+    memcpy(out, s->text, before);
+    memcpy(out + before, setting->value, size);
+    memcpy(out + before + size, c.end, behind);
+    s->text = out;
+    s->text_size = before + size + behind;
 }
 
-struct statement *statement_new(const char *scheme_file, struct setting *settings,
+struct statement *statement_new(const char *scheme_file, const struct setting *settings,
                                 int setting_count, bool not_c1)
 {
     struct statement *out = allocate(1, sizeof *out);
@@ -139,15 +109,14 @@ static void compare_subject(const struct certificate *c, const struct statement 
 static void read_statement(struct statement *s)
 {
     s->text = text_read_file(s->file, MAX_SCHEME_BYTES, &s->text_size);
-    s->canonical = text_canonical(s->file, s->text, s->text_size, &s->canonical_size);
     for (int i = 0; i < s->setting_count; i++)
         apply_setting(s, &s->settings[i]);
+    s->canonical = text_canonical(s->file, s->text, s->text_size, &s->canonical_size);
 }
 
 static void read_scheme(struct statement *s)
 {
-    scheme_read(&s->scheme, s->file, s->text, s->text_size, s->settings,
-                s->setting_count);
+    scheme_read(&s->scheme, s->file, s->text, s->text_size);
     s->divisible = regular_derive(&s->derived, &s->scheme.mask, s->scheme.mesh);
     if (s->divisible) {
         s->q[0] = s->scheme.mask;
@@ -546,10 +515,8 @@ struct verified check_certificate(struct statement *s, struct span k, const char
         read_scheme(s);
         mark = scratch_mark();
     }
-    if (c->version == 0 && s->scheme.language.beyond_0.message != NULL)
-        cannot_check_at(s->file, s->scheme.language.beyond_0.line,
-                        s->scheme.language.beyond_0.column, "%s",
-                        s->scheme.language.beyond_0.message);
+    if (c->version == 0 && !scheme_is_of_version_0(&s->scheme))
+        cannot_check("%s: expected a scheme of version 0 (verify/scheme-0.md)", s->file);
     out = check_choices(s, c);
     interval_keep(mark, &out.eigenvalue, 1);
     return out;
