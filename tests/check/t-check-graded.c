@@ -19,8 +19,8 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
-#include "../../verify/check/slopes.c"
 #include "../../verify/check/field.c"
 #define MAX_EXPONENT MAX_EXPONENT_IN_RING         /* value.c has one, too */
 #include "../../verify/check/exact_formula.c"

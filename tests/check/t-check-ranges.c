@@ -19,8 +19,8 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
-#include "../../verify/check/slopes.c"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -277,7 +277,9 @@ static bool slopes_are(int64_t b)
     integer inverse[4] = { grid_from_rational(rational_from(64, 9), 32).lo,
                            grid_from_rational(rational_from(-8, 3), 32).lo,
                            grid_from(-1, 32).lo, integer_from(0) };
-    struct certificate c = { .file = "certificate", .real = true, .n = 2, .size = 2 };
+    struct certificate c = {
+        .file = "certificate", .grid = FINE, .valence = { 3, 4 }, .real = true, .n = 2, .size = 2
+    };
     struct choices choices = { .pivot = 1, .eigenvector = &eigenvector, .inverse = inverse };
     struct eigenpair pair;
     bool good = true;
@@ -286,7 +288,7 @@ static bool slopes_are(int64_t b)
     choices.eigenvalue[1] = integer_from(0);
     choices.radius = integer_shift_left(integer_from(1), FINE - 28);
     choices.range = integer_shift_left(integer_from(1), FINE - 5);
-    pair = slopes_prove_eigenpair(m, FINE, &choices, &c);
+    pair = eigenpair_prove(m, &choices, &c);
     for (int t = -1; t <= 1; t++) {                /* L(t) and x(t) are enclosed */
         rational l = rational_from(512 + b * t, 1024);
         rational x = rational_divide(rational_from(1, 1), rational_sub(l, rational_from(1, 8)));

@@ -24,8 +24,8 @@ CHECK_SOURCES = \
   verify/check/stability.c \
   verify/check/valence.h verify/check/valence.c \
   verify/check/sector.h verify/check/sector.c \
+  verify/check/eigenpair.h verify/check/eigenpair.c \
   verify/check/spectrum.h verify/check/spectrum.c \
-  verify/check/slopes.h verify/check/slopes.c \
   verify/check/laurent.h verify/check/laurent.c \
   verify/check/limit.h verify/check/limit.c \
   verify/check/valences.h verify/check/valences.c \
