@@ -108,6 +108,8 @@ bin_PROGRAMS += smoothcert
 smoothcert_SOURCES = \
   verify/command.h \
   verify/command_scheme.h verify/command_scheme.c \
+  verify/prove_options.h verify/prove_options.c \
+  verify/prove_run.h verify/prove_decide.c verify/prove_keep.c \
   verify/command_prove.c \
   verify/command_spectrum.c \
   verify/command_regular.c \
