@@ -62,6 +62,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/winding_test.c \
   verify/analysis_pair.c \
   verify/real_test.c \
   verify/exact_test.h verify/exact_test.c \

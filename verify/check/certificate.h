@@ -97,13 +97,17 @@ struct certificate {
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
     enum reason {
-        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_REAL,
-        REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
+        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_WINDING,
+        REASON_REAL, REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
     } reason;
     int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
     int64_t window;                                /* window from there on, 2^-48; */
     integer bound;                                 /* with this R */
-    bool real;                                     /* the form; also `plain` */
+    bool real;                                     /* the form; also `plain`, `graded` */
+    bool graded;
+    int64_t unit;                                  /* q */
+    int degree;                                    /* d; the e_i */
+    int *grade;
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
     struct choices pair;
@@ -144,8 +148,9 @@ void certificate_read_form(struct certificate *out, bool plainly_regular);
 bool certificate_is_exact(const struct certificate *c);
 
 /* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
- * less than block 0 has); reason real: the second one has n_second. */
-void certificate_read_choices(struct certificate *out, int n, int n_second);
+ * less than block 0 has); reason real: the second one has n_second[0] for m' = 0, else
+ * n_second[1]. */
+void certificate_read_choices(struct certificate *out, int n, const int n_second[2]);
 
 void certificate_read_end(struct certificate *out);
 

@@ -6,6 +6,7 @@
 #include "certificate.h"
 #include "characteristic.h"
 #include "decide.h"
+#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
 #include "stability.h"
@@ -263,16 +264,19 @@ static void check_rest(const struct known *known, int count, const struct valenc
     }
 }
 
-/* The matrix of a block: in the plain form that of differences. */
+/* The matrix of a block: for m = 0 that of differences, in the complex form twice. */
 static const interval *find_matrix(const struct block *block, struct affine *b)
 {
-    return block->plain
-         ? constants(spectrum_without_constants(b, block->n), block->n - 1)
-         : constants(b, block->size);
+    const interval *a;
+
+    if (!block->plain)
+        return constants(b, block->size);
+    a = constants(spectrum_without_constants(b, block->n), block->n - 1);
+    return block->has_y ? spectrum_doubled(a, block->n - 1) : a;
 }
 
-/* block: that of L.  In the plain form the eigenpair is about differences, and comes
- * back as the net. */
+/* block: that of L.  For m = 0 the eigenpair is about differences, and comes back as the
+ * net; and the plain form says nothing about the other blocks. */
 static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
@@ -281,10 +285,10 @@ static struct eigenpair check_spectrum(const struct block *block,
     struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
     struct known known = { c, matrix, &pair };
 
-    check_rest(&known, 1, block->v, c->frequency == 0 ? block->v->scheme->mirrored : c->real,
-               pair.s, c);
+    check_rest(&known, 1, block->v,
+               c->real && block->plain ? block->v->scheme->mirrored : c->real, pair.s, c);
     if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
+        spectrum_add_constants(&pair, b, block->n, !c->real, c);
     return pair;
 }
 
@@ -317,6 +321,9 @@ static void decide(const struct characteristic *characteristic, const struct cer
         break;
     case REASON_FOLD:
         decide_fold(characteristic, c);
+        break;
+    case REASON_WINDING:
+        decide_winding(characteristic, c);
         break;
     default:                                       /* the others have checks of their own */
         cannot_check("the checker does not know how to decide this");
@@ -354,8 +361,7 @@ static struct function *prove_function(const struct block *block,
 static void prepare_function(struct function *f, const struct mask q[3])
 {
     if (f->block.plain)
-        f->pair.unknowns = spectrum_with_constants(f->pair.unknowns, f->pair.real, f->b,
-                                                   f->block.n, f->choices.grid);
+        spectrum_add_constants(&f->pair, f->b, f->block.n, false, &f->choices);
     characteristic_prepare(&f->net, &f->block, &f->pair, q, &f->choices);
 }
 
@@ -371,7 +377,7 @@ static struct verified check_real(const struct statement *s, const struct block 
     own->frequency = c->second_frequency;
     own->pair = c->second;
     block_prepare(&other, block->v, true, span_of(c->second_frequency));
-    own->n = own->size = other.n;
+    own->n = own->size = other.plain ? other.n - 1 : other.n;
     second = prove_function(&other, own);
     if (integer_compare(second->modulus.hi, first->modulus.lo) >= 0)
         rejected(c->file, c->second.line_of.eigenvalue,
@@ -410,6 +416,13 @@ static struct verified check_window(const struct statement *s, const struct vale
     return out;
 }
 
+static struct verified check_graded(const struct statement *s, const struct block *block,
+                                    const struct certificate *c)
+{
+    return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
+                               .eigenvalue = graded_prove(block, s->q, c) };
+}
+
 /* One eigenpair, and what its function decides. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
                                        const struct certificate *c)
@@ -432,21 +445,24 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 static void prepare_block(struct block *out, const struct valence *v,
                           const struct certificate *c)
 {
-    if (span_is_several(c->valence))
+    if (c->graded)
+        graded_prepare_block(out, v);
+    else if (span_is_several(c->valence))
         valences_prepare_block(out, v, c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
+    out->has_y = out->has_y || !c->real;
 }
 
-/* How many unknowns have blocks in the real form? */
-static int real_unknowns(const struct valence *v)
+/* How many unknowns has the eigenpair of block m in the real form (0: plain)? */
+static int unknowns(const struct valence *v, int64_t m)
 {
     struct mark mark = scratch_mark();
     struct block block;
 
-    block_prepare(&block, v, true, span_of(1));
+    block_prepare(&block, v, true, span_of(m));
     scratch_release(mark);
-    return block.n;
+    return m == 0 ? block.n - 1 : block.n;
 }
 
 static struct verified check_choices(struct statement *s, struct certificate *c)
@@ -455,6 +471,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
+    int n_second[2] = { 0, 0 };
     struct block block;
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
@@ -478,8 +495,10 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    certificate_read_choices(c, block.plain ? block.n - 1 : block.n,
-                             c->reason == REASON_REAL ? real_unknowns(v) : 0);
+    for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
+        n_second[m] = unknowns(v, m);
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
+                             n_second);
     certificate_read_end(c);
 
     check_contraction(s, c);
@@ -487,6 +506,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_stability(s, c);
     if (c->frequency < 0)
         return check_window(s, v, c);
+    if (c->graded)
+        return check_graded(s, &block, c);
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);
