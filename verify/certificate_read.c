@@ -205,15 +205,6 @@ static void read_form_and_pair(reader *r, choices *c, eigenpair_choice *e, bool 
     }
 }
 
-/* Blocks 0 and k/2 are real: complex form means a pair, and without one k/2 is for CLAIM_REAL only. */
-static void set_pair(reader *r, choices *c)
-{
-    bool half = is_one_valence(c->k) && 2 * c->frequency == c->k.first, may_be = is_one_valence(c->k) && c->claim != CLAIM_REAL;
-    c->pair = c->eigenpair.complex_form && may_be && (c->frequency == 0 || half);
-    if (!c->pair && (c->frequency == 0 ? c->eigenpair.complex_form : half && c->claim != CLAIM_REAL))
-        r->failed = true;
-}
-
 /* Not c0, by an eigenvalue that grows? */
 static bool is_graded(const reader *r, const choices *c)
 {
@@ -246,6 +237,15 @@ static void read_graded(reader *r, choices *c)
     for (int i = 0; !r->failed && i < n; i++)
         z->grade[i] = (int)read_long(r, 10, 0, GRADED_MAX_DEGREE);
     read_eigenpair(r, &c->eigenpair, c->grid, false, true);
+}
+
+/* Blocks 0 and k/2 are real: complex form means a pair, and without one k/2 is for CLAIM_REAL only. */
+static void set_pair(reader *r, choices *c)
+{
+    bool half = is_one_valence(c->k) && 2 * c->frequency == c->k.first, may_be = is_one_valence(c->k) && c->claim != CLAIM_REAL;
+    c->pair = c->eigenpair.complex_form && may_be && (c->frequency == 0 || half);
+    if (!c->pair && (c->frequency == 0 ? c->eigenpair.complex_form : half && c->claim != CLAIM_REAL))
+        r->failed = true;
 }
 
 static void read_pair(reader *r, choices *c, bool several)

@@ -227,6 +227,62 @@ growth 5..inf witness 1 'witness' 's/^witness \([0-9]*\) .*/witness 1000 -/'
 growth 5..inf cover 1 'expected .witness' 's/^witness.*/cover 1 inf 800000000000 9\
 &/'
 
+# What the prover writes, and one lie each
+
+# told CERTIFICATE VALENCES NAME ...: the scheme is what the certificate says it is.
+told() {
+  sed -n '/^claim/q;3,$p' "$here/$1.cert" >told.scheme
+  certificate=$1 valences=$2
+  shift 2
+  denial "$certificate" told.scheme "$valences" "$@"
+}
+sixteenth() { told sixteenth-112-inf 112..inf "$@"; }
+sixteenth nothing 0 '^verified: loop-sixteenth is not C1 at valences 112..inf' ''
+sixteenth unit 1 'Krawczyk' 's/^unit 16/unit 15/'
+sixteenth degree 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+sixteenth degree-2 1 'Krawczyk' 's/^degree 1/degree 2/'
+sixteenth grade 1 'grades: the scaled block grows' 's/^grades 0 1 1 1/grades 0 1 1 2/'
+sixteenth grade-smaller 1 'Krawczyk' 's/^grades 0 1 1 1/grades 0 1 1 0/'
+sixteenth grade-of-centre 1 'grades: the scaled block grows' 's/^grades 0/grades 2/'
+sixteenth eigenvalue 1 'Krawczyk' 's/^eigenvalue -f/eigenvalue -e/'
+sixteenth sign 1 'Krawczyk' 's/^eigenvalue -/eigenvalue /'
+sixteenth eigenvector 1 'Krawczyk' 's/^eigenvector -6/eigenvector -5/'
+sixteenth witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+sixteenth witness-elsewhere 1 'witness: there are' 's/^witness .*/witness 4 001/'
+sixteenth reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
+told sixteenth-112-inf 19..inf from-19 1 'Krawczyk' 's/^valence 112 inf/valence 19 inf/'
+told sixteenth-112-inf 5..19 proved-to-be-c1 1 'Krawczyk' 's/^valence 112 inf/valence 5 19/'
+told sixteenth-112-inf 26..27 modulus-one 1 'Krawczyk' 's/^valence 112 inf/valence 26 27/'
+denial sixteenth-112-inf "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 112..inf another-scheme 1 'scheme' ''
+sixteenth slower 1 'scheme' 's:k/16:k/17:'
+
+turns() { told two-turns-30-inf 30..inf "$@"; }
+turns nothing 0 '^verified: two-turns is not C1 at valences 30..inf (frequency 2: 0.599' ''
+turns frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/;s/^block 2 2/block 3 3/'
+turns frequency-1 1 'frequency: it is beyond' 's/^frequency 2/frequency 1/;s/^block 2 2/block 1 1/'
+turns block-0 1 'expected .block' '/^block 0/d'
+turns below-missing 1 'cover: ' '/^cover 1 1/d'
+turns above-missing 1 'cover: ' '/^cover 3/d'
+turns itself-covered 1 'cover: ' 's/^cover 1 1/cover 1 2/'
+turns not-c0 1 'expected .witness' 's/^reason frequency/reason not-c0/'
+turns boundary 1 'boundary' 's/^boundary 0/boundary /'
+told two-turns-30-inf 4..inf from-4 1 'frequency: it is beyond' 's/^valence 30/valence 4/'
+told two-turns-30-inf 3..inf from-3 1 'frequency: it is beyond' 's/^valence 30/valence 3/'
+
+rules() { told centre-rules-4-inf 4..inf "$@"; }
+rules nothing 0 '^verified: centre-powers is not C1 at valences 4..inf (frequency 0: 0.86' ''
+rules eigenvalue 1 'Krawczyk' 's/^eigenvalue d/eigenvalue c/'
+rules frequency 1 'frequency: it is beyond' 's/^frequency 0/frequency 2/'
+rules cover 1 'cover' 's/^cover 1/cover 2/'
+rules graded 1 'eigenvector: expected more' 's/^form plain/form graded\nunit 1\ndegree 0\ngrades 0 0 0 0/;s/^reason frequency/reason not-c0/'
+
+folds() { told fold-33-35 33..35 "$@"; }
+folds nothing 0 '^verified: doo-sabin-spectrum is not C1 at valences 33..35' ''
+folds one-witness 1 'witness' '0,/^witness/{/^witness/d;}'
+folds same-sign 1 'witness' 's/^witness 8 .*/witness 4 0000/'
+folds other-sign 1 'witness' 's/^witness 4 .*/witness 8 3333333/'
+told fold-33-35 37..39 farther 1 'Krawczyk' 's/^valence 33 35/valence 37 39/'
+
 # A window of frequencies: Butterfly from 25 on
 
 wave() { denial butterfly-25-inf "$catalogue/butterfly.scheme" 25..inf "$@"; }
