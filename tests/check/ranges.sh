@@ -197,6 +197,15 @@ centre 1/4\
 (1,1) rest\
 all (1,1) 0\
 end'
+mask exponents-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/k - (1/k)^40*(1/k)^40,'
+mask power-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,& + (1/k/k)^40,'
+mask quotient-by-a-sum 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/(k + 1),'
+mask case-unknown 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(mod(k\, 2) = 0: 7/4/k; else: 7/4/k),'
+mask case-known 0 '^verified' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4/k; else: 1),'
+mask case-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4*abs(1/k); else: 1),'
+mask name-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - w,
+/^mask/i\
+let w = 7/4*abs(1/k)'
 mask no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4*abs(1/k),'
 
 # Refutations at one frequency
