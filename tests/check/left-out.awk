@@ -3,7 +3,7 @@
 # Prints a source of the checker in which each check can be left out by its number (left-out.h), and appends to the list,
 # for each of them, number, file, line and text, with tabs between.  Checks are
 #   calls of the functions named, which become nothing;
-#   `return false;', which becomes nothing;
+#   `return false;', which becomes nothing, or true at the end of a function;
 #   what a function of type bool returns, each part of a conjunction by itself, which becomes true.
 # The sources are formatted by one program: definitions begin their lines, and end with a brace that does.
 
@@ -71,6 +71,10 @@ function continue_statement(   next_line) {
 
 /^[a-z].*\(/ { is_bool = /^(static )?bool [a-z]/ }
 /^ *(\*|\/\*|\/\/)/ { print; next }
+/^    return false;$/ { # of no condition: the end
+    print "    return left_out(" note($0) ");"
+    next
+}
 /^ +return false;$/ {
     sub(/return false;/, "{ if (!left_out(" note($0) ")) return false; }")
     print

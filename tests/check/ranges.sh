@@ -207,6 +207,14 @@ mask name-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^c
 /^mask/i\
 let w = 7/4*abs(1/k)'
 mask no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4*abs(1/k),'
+mask weight-for-each-sector 1 'a weight for each sector is for single valences only' '/^claim/i\
+rule (1,1)\
+centre 1/4\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+(1,1) @ j 0\
+end'
 
 # Refutations at one frequency
 
