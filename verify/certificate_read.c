@@ -257,6 +257,8 @@ static void read_pair(reader *r, choices *c, bool several)
     expect(r, "second");
     c->second_frequency = read_long(r, 10, c->frequency == 0, (c->k.first - 1) / 2);
     read_form_and_pair(r, c, &c->second, c->second_frequency == 0, several);
+    if (c->second_frequency == 0 && c->second.complex_form)
+        r->failed = true;
 }
 
 /* Of all blocks of a certificate together. */

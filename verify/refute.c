@@ -163,12 +163,11 @@ static void describe_jordan(char *text, size_t size, const choices *c, double l)
 /* What frequency m makes of a curve round the point. */
 static void describe_frequency(char *text, size_t size, const choices *c, double l, double radius_of_one)
 {
-    const char *pair = c->pair ? "a pair that is not real of " : "";
-    int length = snprintf(text, size, "%sfrequency %ld dominates (%.8f, frequency 1 has %.8f); ", pair, c->frequency, l, radius_of_one);
+    int length = snprintf(text, size, "frequency %ld dominates%s (%.8f, frequency 1 has %.8f); ", c->frequency, c->pair ? " by a complex pair" : "", l, radius_of_one);
     if (c->frequency)
         snprintf(text + length, size - (size_t)length, "the surface would wind %ld times", c->frequency);
     else if (c->pair)
-        snprintf(text + length, size - (size_t)length, "the surface would wind a multiple of %ld times, or not at all", c->k.first);
+        snprintf(text + length, size - (size_t)length, "the surface would wind 0 times, or a multiple of %ld", c->k.first);
     else
         snprintf(text + length, size - (size_t)length, "nothing turns round the point");
 }

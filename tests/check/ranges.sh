@@ -163,6 +163,59 @@ s/\n\n/\
 /
 }'
 
+# Certificates of schemes that stand in them, with choices of their own
+
+# own CERTIFICATE VALENCES NAME STATUS PATTERN SED-COMMAND: the lie is one of the scheme, or of the certificate.
+own() {
+  sed -e '/^records/,$d' -e "$6" "$here/$1.cert" >edited
+  sed -e '1,2d' -e '/^claim /,$d' edited >own.scheme
+  sed -e "2s/.*/scheme $(($(wc -l <own.scheme)))/" edited >body
+  finish body lie.cert
+  claim "$1-$3" "$4" "$5" own.scheme "$2" lie.cert
+}
+# The largest eigenvalue of block m rises with m at first, where all is as in Loop's scheme otherwise.
+own falling-31-inf 31..inf nothing 1 'not proved to be positive and to rise' ''
+# 1 + 3/k of the centre: block 0 is ahead of block 1 at all valences, and tends to it.
+own centre-rising-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
+mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
+mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
+mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
+mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
+mask centre-of-the-mask 1 'limit: the mask does not keep the value at the centre' '/^rule centre/,/^end/d'
+mask rule-depends-on-k 1 'limit: only rules of the centre may depend on k' '/^claim/i\
+rule (1,1)\
+centre 1/4 + 0*k\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+end'
+mask rule-with-all-sectors 1 'limit: only rules of the centre may depend on k' '/^claim/i\
+rule (1,1)\
+centre 1/4\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+all (1,1) 0\
+end'
+mask exponents-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/k - (1/k)^40*(1/k)^40,'
+mask power-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,& + (1/k/k)^40,'
+mask quotient-by-a-sum 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/(k + 1),'
+mask case-unknown 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(mod(k\, 2) = 0: 7/4/k; else: 7/4/k),'
+mask case-known 0 '^verified' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4/k; else: 1),'
+mask case-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4*abs(1/k); else: 1),'
+mask name-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - w,
+/^mask/i\
+let w = 7/4*abs(1/k)'
+mask no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4*abs(1/k),'
+mask weight-for-each-sector 1 'a weight for each sector is for single valences only' '/^claim/i\
+rule (1,1)\
+centre 1/4\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+(1,1) @ j 0\
+end'
+
 # Refutations at one frequency
 
 # denial CERTIFICATE SCHEME-FILE VALENCES NAME STATUS PATTERN SED-COMMAND

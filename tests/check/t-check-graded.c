@@ -19,10 +19,12 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
-#include "../../verify/check/slopes.c"
-#define evaluate_cases laurent_cases               /* evaluate.c has them, too */
-#define evaluate_power laurent_power
+#include "../../verify/check/field.c"
+#define MAX_EXPONENT MAX_EXPONENT_IN_RING         /* value.c has one, too */
+#include "../../verify/check/exact_formula.c"
+#undef MAX_EXPONENT
 #include "../../verify/check/laurent.c"
 #include "../../verify/check/element.c"
 #include "../../verify/check/spline.c"
@@ -50,7 +52,7 @@ static const struct scheme *read_scheme_text(void)
 {
     struct scheme *out = allocate(1, sizeof *out);
 
-    scheme_read(out, "test", text, strlen(text), NULL, 0);
+    scheme_read(out, "test", text, strlen(text));
     return out;
 }
 

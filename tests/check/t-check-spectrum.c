@@ -20,6 +20,7 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
 
 #include <stdio.h>
@@ -52,11 +53,12 @@ static integer inverse_entry(int64_t num, int64_t den)
 static void run(const struct trial *t)
 {
     int difference = t->l - t->mu;                 /* L - mu in units of 2^-20 */
-    interval matrix[4] = { thin(t->l), thin(0), grid_from(1, G), thin(t->mu) };
+    struct affine matrix[4] = { affine_from(thin(t->l)), affine_from_whole(0, G), affine_from_whole(1, G),
+                                affine_from(thin(t->mu)) };
     struct block_record record = { { 1, 1 }, t->power, 1 };
     integer eigenvector, inverse[4], one = integer_from(1);
     struct certificate c = {
-        .file = "certificate", .real = true, .frequency = 1, .n = 2, .size = 2,
+        .file = "certificate", .grid = G, .real = true, .frequency = 1, .n = 2, .size = 2,
         .pair = { .pivot = 1, .eigenvector = &eigenvector, .inverse = inverse }
     };
     struct eigenpair pair;
@@ -64,7 +66,7 @@ static void run(const struct trial *t)
     if (difference == 0)                           /* no eigenvector: try any */
         difference = 1 << 18;
     c.pair.radius = integer_from(t->radius);
-    c.pair.eigenvalue[0] = integer_add(matrix[0].lo, integer_from(t->shift));
+    c.pair.eigenvalue[0] = integer_add(matrix[0].c.lo, integer_from(t->shift));
     c.pair.eigenvalue[1] = integer_from(0);
 
     /* x = 1/(L - mu); G = (0, -1; mu - L, -x), Y = (-x/(mu - L), 1/(mu - L); -1, 0) */
@@ -75,8 +77,9 @@ static void run(const struct trial *t)
     inverse[2] = integer_from(-(INT64_C(1) << 32));
     inverse[3] = integer_from(0);
 
-    pair = spectrum_prove_eigenpair(matrix, G, &c);
-    spectrum_prove_rest(matrix, 2, G, &pair, &record, &c);
+    pair = eigenpair_prove(matrix, &c.pair, &c);
+    spectrum_prove_size(&pair, &c);
+    spectrum_prove_rest(&pair, &record, "block", &c);
 }
 
 /* A pair l, conj l of a real block
@@ -85,14 +88,14 @@ static void run(const struct trial *t)
  * A = S diag((a, -b; b, a), mu) S^-1, S = (v1, v2, v3) = (1 0 1; 2 1 0; 1 1 1): v1 - i v2 belongs to a + i b, and
  * what A does modulo v1 and v2 is mu (all even).  Twice in the complex form. */
 
-static void pair_matrix(interval m[36], int a, int b, int mu)
+static void pair_matrix(struct affine m[36], int a, int b, int mu)
 {
     static const int s[3][3] = { { 1, 0, 1 }, { 2, 1, 0 }, { 1, 1, 1 } };
     static const int inverse[3][3] = { { 1, 1, -1 }, { -2, 0, 2 }, { 1, -1, 1 } };  /* twice */
     const int d[3][3] = { { a, -b, 0 }, { b, a, 0 }, { 0, 0, mu } };
 
     for (int i = 0; i < 36; i++)
-        m[i] = grid_from(0, G);
+        m[i] = affine_from_whole(0, G);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             int sum = 0;
@@ -100,7 +103,7 @@ static void pair_matrix(interval m[36], int a, int b, int mu)
             for (int k = 0; k < 3; k++)
                 for (int l = 0; l < 3; l++)
                     sum += s[i][k] * d[k][l] * inverse[l][j];
-            m[6 * i + j] = m[6 * (i + 3) + j + 3] = thin(sum / 2);
+            m[6 * i + j] = m[6 * (i + 3) + j + 3] = affine_from(thin(sum / 2));
         }
     }
 }
@@ -113,13 +116,12 @@ static void run_pair(const struct trial *t)
     static const int eigenvector[6] = { 1, 2, 1, 0, -1, -1 };
     struct block_record record = { { 0, 0 }, 4, 1 };
     struct certificate c = {
-        .file = "certificate", .real = false, .frequency = 0, .n = 3, .size = 6, .valence = { 5, 5 },
+        .file = "certificate", .grid = G, .real = false, .frequency = 0, .n = 3, .size = 6, .valence = { 5, 5 },
         .pair = { .pivot = 1 }
     };
-    struct affine unknowns[6];
-    interval m[36];
+    struct affine unknowns[6], m[36];
     struct eigenpair pair = {
-        .unknowns = unknowns, .real = affine_from(thin(a)), .imaginary = affine_from(thin(b)),
+        .matrix = m, .choices = &c.pair, .unknowns = unknowns, .real = affine_from(thin(a)), .imaginary = affine_from(thin(b)),
         .s = spectrum_inverse_upper(thin(1 << 19).lo, G)
     };
 
@@ -127,7 +129,7 @@ static void run_pair(const struct trial *t)
     for (int i = 0; i < 6; i++)
         unknowns[i] = affine_from_whole(eigenvector[i], G);
     pair_matrix(m, a, b, mu);
-    spectrum_prove_rest(m, 6, G, &pair, &record, &c);
+    spectrum_prove_rest(&pair, &record, "block", &c);
 }
 
 static int status_of(void (*test)(const struct trial *t), const struct trial *t)

@@ -19,6 +19,7 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
 #include "../../verify/check/element.c"
 #include "../../verify/check/spline.c"

@@ -4,10 +4,9 @@
 /* Certificates
  * ============
  *
- * Section 1 of certificate.md and of certificate-valences.md: the file.  Reading checks its form, its limits,
- * its records and its hash; what the choices prove is checked elsewhere.
- * A file that has not exactly the form: rejected.  Beyond a limit: cannot
- * check.
+ * Section 1 of certificate.md and of certificate-valences.md: the file.  Reading checks its form,
+ * its limits, its records and its hash; what the choices prove is checked elsewhere.  A file that
+ * has not exactly the form: rejected.  Beyond a limit: cannot check.
  */
 
 #include "field.h"
@@ -79,7 +78,7 @@ struct exact_choices {
     int count;
     struct exact_record *line;
     struct {
-        int field, factor, eigenvalue;
+        int eigenvalue;
     } line_of;
 };
 
@@ -124,12 +123,10 @@ struct certificate {
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */
     size_t letters;                                /* of all words of trees */
-    int witnesses;
     struct witness witness[2];
 
     struct {                                       /* for messages */
-        int scheme, claim, valence, grid, contraction, stability, reason, form;
-        int window, halfplane;
+        int scheme, claim, valence, contraction, stability, form, window;
     } line_of;
 
     const char *text, *end, *next;                 /* still to be read: next */

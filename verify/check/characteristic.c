@@ -3,7 +3,7 @@
 #include "characteristic.h"
 
 #include "answer.h"
-#include "influence.h"
+#include "scheme.h"
 
 #include <string.h>
 

@@ -8,7 +8,12 @@
 /* What is claimed: the reader's scheme. */
 struct statement;
 
-struct statement *statement_new(const char *scheme_file, struct setting *settings,
+/* --set NAME=VALUE, of one line */
+struct setting {
+    const char *name, *value;
+};
+
+struct statement *statement_new(const char *scheme_file, const struct setting *settings,
                                 int setting_count, bool not_c1);
 
 struct verified {

@@ -9,7 +9,6 @@
 #include "answer.h"
 #include "decide.h"
 #include "laurent.h"
-#include "slopes.h"
 
 #include <limits.h>
 
@@ -312,7 +311,7 @@ interval graded_prove(const struct block *block, const struct mask q[3],
     s->c = c;
     s->g = c->grid;
     prepare_kappa(s, block->v->k);
-    pair = slopes_prove_eigenpair(scaled_matrix(s), s->g, &c->pair, c);
+    pair = eigenpair_prove(scaled_matrix(s), &c->pair, c);
     s->l = pair.real;
     prove_size(s);
     begin_net(s, pair.unknowns);

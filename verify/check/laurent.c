@@ -2,6 +2,8 @@
 
 #include "laurent.h"
 
+#include "exact_formula.h"
+
 enum { SIZE = 2 * LAURENT_DEGREE + 1 };
 
 static struct laurent constant(rational q)
@@ -81,8 +83,14 @@ static bool invert(struct laurent *a)
     return true;
 }
 
-static bool apply_operation(struct laurent *a, char operation, struct laurent *b)
+static void set(void *out, rational q)
 {
+    *(struct laurent *)out = constant(q);
+}
+
+static bool apply(void *a, char operation, void *b, const void *field)
+{
+    (void)field;
     if (operation == '+')
         laurent_add(a, b);
     else if (operation == '-')
@@ -92,83 +100,31 @@ static bool apply_operation(struct laurent *a, char operation, struct laurent *b
     return true;
 }
 
-/* Sums and products. */
-static bool evaluate_terms(struct laurent *out, const struct node *f,
-                           const struct environment *e)
+/* Numbers, k, and parameters with a value. */
+static bool simple(void *out, const struct node *f, const struct environment *e,
+                   const void *field)
 {
-    struct laurent *term = allocate(1, sizeof *term);
+    const struct definition *d = &e->language->definition[f->name];
 
-    *out = constant(rational_from(f->kind == NODE_SUM ? 0 : 1, 1));
-    for (const struct node *n = f->first; n != NULL; n = n->next)
-        if (!laurent_evaluate(term, n, e) || !apply_operation(out, n->join, term))
-            return false;
-    return true;
-}
-
-/* x ^ n, n = 0, 1, 2 ... */
-static bool evaluate_power(struct laurent *out, const struct node *f,
-                           const struct environment *e)
-{
-    struct laurent *base = allocate(1, sizeof *base);
-    const struct node *exponent = f->first->next;
-    struct value n = evaluate(exponent, e);
-    int64_t times;
-
-    if (exponent->join == '-')
-        value_negate(&n);
-    if (n.kind != RATIONAL || n.range || !rational_is_whole(n.q) || n.q.num.sign < 0 ||
-        !integer_get_small(&times, n.q.num, LAURENT_DEGREE) ||
-        !laurent_evaluate(base, f->first, e))
+    (void)field;
+    set(out, rational_from(0, 1));
+    if (f->kind == NODE_NUMBER)
+        set(out, f->number);
+    else if (f->kind == NODE_K)
+        ((struct laurent *)out)->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
+    else if (f->kind == NODE_NAME && d->formula == NULL &&
+             rational_compare(d->low, d->high) == 0)
+        set(out, d->low);
+    else
         return false;
-    *out = constant(rational_from(1, 1));
-    for (int64_t i = 0; i < times; i++)
-        if (!multiply(out, base))
-            return false;
     return true;
-}
-
-static bool evaluate_cases(struct laurent *out, const struct node *f,
-                           const struct environment *e)
-{
-    for (const struct node *n = f->first; n != NULL; n = n->next->next) {
-        enum truth truth = n->next == NULL ? YES : condition_truth(n, e);
-
-        if (truth == UNKNOWN)
-            return false;
-        if (truth == YES)
-            return laurent_evaluate(out, n->next == NULL ? n : n->next, e);
-    }
-    return false;
 }
 
 bool laurent_evaluate(struct laurent *out, const struct node *f, const struct environment *e)
 {
-    const struct definition *d;
+    const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
 
-    switch (f->kind) {
-    case NODE_NUMBER:
-        *out = constant(f->number);
-        return true;
-    case NODE_K:
-        *out = constant(rational_from(0, 1));
-        out->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
-        return true;
-    case NODE_NAME:
-        d = &e->language->definition[f->name];
-        if (d->formula != NULL)
-            return laurent_evaluate(out, d->formula, e);
-        *out = constant(d->low);
-        return rational_compare(d->low, d->high) == 0;
-    case NODE_SUM:
-    case NODE_PRODUCT:
-        return evaluate_terms(out, f, e);
-    case NODE_POWER:
-        return evaluate_power(out, f, e);
-    case NODE_CASES:
-        return evaluate_cases(out, f, e);
-    default:
-        return false;
-    }
+    return ring_value(out, f, e, &ring);
 }
 
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)

@@ -5,6 +5,7 @@
 
 #include "affine.h"
 #include "scheme.h"
+#include "value.h"
 
 enum { LAURENT_DEGREE = 64 };
 

@@ -4,8 +4,6 @@
 
 #include "answer.h"
 #include "laurent.h"
-#include "slopes.h"
-#include "valences.h"
 
 struct limit {
     const struct valence *v;
@@ -90,7 +88,6 @@ void limit_prove(const struct valence *v, const struct eigenpair *pair,
                                                        rational_from(v->k.first, 1)), v->g);
     struct limit l = { .v = v, .c = c, .kappa = { half, half } };
     const struct rise *choices = &c->limit;
-    struct affine *matrix;
     struct eigenpair mu;
     integer fall = integer_max(pair->real.d.hi, integer_from(0));
 
@@ -99,12 +96,11 @@ void limit_prove(const struct valence *v, const struct eigenpair *pair,
     if (!valence_is_uniform(v) || !valence_is_local(v))
         reject(&l, "only rules of the centre may depend on k, or have sources in all sectors");
     l.e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
-    matrix = limit_matrix(&l);
-    mu = slopes_prove_eigenpair(matrix, c->grid, &choices->pair, c);
+    mu = eigenpair_prove(limit_matrix(&l), &choices->pair, c);
     if (!affine_is_positive(mu.real))
         reject(&l, "the eigenvalue is not proved to be positive");
     mu.s = pair->s;
-    valences_prove_deflated(matrix, &mu, choices->pair.pivot, &choices->record, "limit", c);
+    spectrum_prove_rest(&mu, &choices->record, "limit", c);
     if (integer_add(mu.real.d.hi, fall).sign >= 0)
         reject(&l, "the eigenvalue is not proved to fall behind L");
 }

@@ -4,7 +4,7 @@
 #include "sector.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 #include <string.h>
 

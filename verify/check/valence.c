@@ -3,7 +3,7 @@
 #include "valence.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 #include <string.h>
 
@@ -35,7 +35,7 @@ static struct value weigh_each(interval *out, const struct node *formula,
 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
         out[j] = value_enclose(w, v->g);
-        value_apply(&sum, '+', &w, NULL, v->g);
+        sum = value_apply(sum, '+', w, NULL, v->g);
 
         integer keep[4] = { out[j].lo, out[j].hi,
                             sum.kind == RATIONAL ? sum.q.num : sum.x.lo,
@@ -44,7 +44,7 @@ static struct value weigh_each(interval *out, const struct node *formula,
         integer_keep(mark, keep, 4);
         out[j] = (interval) { keep[0], keep[1] };
         if (sum.kind == RATIONAL)
-            sum.q = (rational) { keep[2], keep[3] };
+            sum.q = sum.q_last = (rational) { keep[2], keep[3] };
         else
             sum.x = (interval) { keep[2], keep[3] };
     }
@@ -96,9 +96,9 @@ static void weigh(struct active_rule *out, const struct valence *v)
             value_require(value, l, v->reference.file, v->reference.line);
         }
         w->weight = affine_from(value_enclose(value, v->g));
-        value_apply(&sum, '+', &value, NULL, v->g);
+        sum = value_apply(sum, '+', value, NULL, v->g);
     }
-    value_apply(&rest, '-', &sum, NULL, v->g);
+    rest = value_apply(rest, '-', sum, NULL, v->g);
     out->weighted[rule->rest].weight = affine_from(value_enclose(rest, v->g));
 }
 
