@@ -29,7 +29,7 @@ static bool add_up(laurent_value *row, const block *b, const rule *r, const cent
         ok = laurent_value_make(&row[i]);
     for (int i = 0; ok && i < r->count; i++) {
         int j = unknown_of(b, &r->sources[i]);
-        ok = j < 0 || laurent_value_add(&row[j], &w->weight[i]); /* the rings of the block reach as far as its rules */
+        ok = j >= 0 && laurent_value_add(&row[j], &w->weight[i]); /* the rings of the block reach as far as its rules: j < 0 is never */
     }
     return ok;
 }

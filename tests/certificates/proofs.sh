@@ -26,5 +26,9 @@ for name in loop loop-warren modified-loop modified-butterfly catmull-clark doo-
 done
 verifies butterfly 4..7 c1
 verifies butterfly 3,8..inf not-c1
+verifies loop-sixteenth 5..19 c1
+verifies loop-sixteenth 3,4,20..inf not-c1
+rejects loop-sixteenth 5..20 c1
+rejects loop-sixteenth 19..inf not-c1
 rejects butterfly all c1
 rejects loop all not-c1
