@@ -25,7 +25,7 @@
 #define eigenpair_modulus NUMBER_NAME(eigenpair_modulus)
 
 /* Looks for the dominant eigenpair (largest modulus) of the n x n matrix b and for a box round it that eigenpair_prove
-   accepts, both on the grid 2^-g.
+   accepts, both on the grid 2^-g.  In complex form, of a real matrix R (I = 0), it may be one of a pair.
    TRUTH_UNKNOWN: not found, or more than one eigenvalue seems to have the largest modulus.  TRUTH_FALSE: no memory. */
 truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex_form, long g, long prec);
 

@@ -93,6 +93,8 @@ CHECK_TESTS = \
   tests/check/t-check-units \
   tests/check/t-check-geometry \
   tests/check/t-check-spectrum \
+  tests/check/t-check-winding \
+  tests/check/t-check-graded \
   tests/check/t-check-field \
   tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
@@ -103,6 +105,10 @@ tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-chec
 tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_winding_CPPFLAGS =
+tests_check_t_check_winding_LDADD =
+tests_check_t_check_graded_CPPFLAGS =
+tests_check_t_check_graded_LDADD =
 tests_check_t_check_field_CPPFLAGS =
 tests_check_t_check_field_SOURCES = tests/check/protocol.h tests/check/t-check-field.c
 tests_check_t_check_field_LDADD =

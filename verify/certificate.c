@@ -127,10 +127,10 @@ static void write_choices(buffer *z, const choices *c)
     else if (c->claim == CLAIM_WINDOW)
         write_window(z, &c->window);
     else
-        write_form(z, c, &c->eigenpair, c->frequency == 0);
+        write_form(z, c, &c->eigenpair, c->frequency == 0 && !c->pair);
     if (c->claim == CLAIM_REAL) {
         buffer_print(z, "second %ld\n", c->second_frequency);
-        write_form(z, c, &c->second, false);
+        write_form(z, c, &c->second, c->second_frequency == 0);
     }
     write_spectrum(z, c);
     write_evidence(z, c);

@@ -5,7 +5,7 @@
 
 const char *claim_name(claim_kind c)
 {
-    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
+    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_WINDING] = "winding", [CLAIM_REAL] = "real",
                                          [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one",
                                          [CLAIM_WINDOW] = "frequency"};
     return names[c];

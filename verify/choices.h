@@ -34,14 +34,14 @@ typedef struct {
 
 /* What a certificate proves: C1, or why not (verify/certificate.md, section 10; those behind CLAIM_REAL verify/exact.md,
    CLAIM_WINDOW, of several valences only, verify/certificate-valences.md, section 6). */
-typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIM_WINDOW, CLAIMS } claim_kind;
+typedef enum { CLAIM_C1, CLAIM_FREQUENCY, CLAIM_NOT_C0, CLAIM_FOLD, CLAIM_WINDING, CLAIM_REAL, CLAIM_TIE, CLAIM_JORDAN, CLAIM_MODULUS_ONE, CLAIM_WINDOW, CLAIMS } claim_kind;
 
 /* Does it rest on numbers being equal? */
 static inline bool claim_is_exact(claim_kind c) { return c == CLAIM_TIE || c == CLAIM_JORDAN || c == CLAIM_MODULUS_ONE; }
 /* How many witnesses it has. */
 static inline int claim_witnesses(claim_kind c) { return c == CLAIM_FOLD || c == CLAIM_TIE ? 2 : c == CLAIM_NOT_C0 || c == CLAIM_REAL || c == CLAIM_MODULUS_ONE ? 1 : 0; }
-/* Does it need a curve without a zero, or of winding number 1? */
-static inline bool claim_has_boundary(claim_kind c) { return c == CLAIM_C1 || c == CLAIM_FREQUENCY || c == CLAIM_JORDAN; }
+/* Does it need a curve without a zero, or of some winding number? */
+static inline bool claim_has_boundary(claim_kind c) { return c == CLAIM_C1 || c == CLAIM_FREQUENCY || c == CLAIM_WINDING || c == CLAIM_JORDAN; }
 
 /* A descendant of an element of the ring: one child after the other. */
 typedef struct {
@@ -52,7 +52,8 @@ typedef struct {
 
 typedef struct {
     claim_kind claim;
-    long frequency;       /* of the eigenvalue: 1 for C1 and folds */
+    long frequency;       /* of the eigenvalue: 1 for C1, folds and windings */
+    bool pair;            /* it is one of a pair that is not real, of block 0 or k/2, in the complex form */
     valence_range k;
     long grid;            /* g: units of 2^-g */
     int contraction[3];   /* N_1 N_2 N_3 */

@@ -109,7 +109,7 @@ static void say_spectrum(const choices *c, const char *eigenvalue)
     const eigenpair_choice *e = &c->eigenpair;
     printf("  eigenvalue      L = %s\n", eigenvalue);
     printf("                  simple; of block %ld (%s form, order %d): its nets turn %ld time%s as one goes round once\n", c->frequency,
-           c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
+           e->complex_form ? "complex" : c->frequency == 0 ? "plain" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
     if (c->blocks.count == 0)
         return;
     printf("  the others      are smaller, by powers of the blocks (first..last: power):");
@@ -153,7 +153,7 @@ static void say_exact(const choices *c)
     printf("\n");
 }
 
-static void say_evidence(const choices *c)
+static void say_evidence(const choices *c, const findings *f)
 {
     switch (c->claim) {
     case CLAIM_C1:
@@ -174,8 +174,13 @@ static void say_evidence(const choices *c)
         say_witness(&c->witness[0], "the Jacobian is positive");
         say_witness(&c->witness[1], "the Jacobian is negative");
         break;
+    case CLAIM_WINDING:
+        say_tree("winding", &c->boundary, 2, "the characteristic map has no zero on the outer curve");
+        printf("                  it winds %ld times round the extraordinary point\n", f->windings);
+        break;
     case CLAIM_REAL:
-        printf("  second          an eigenvalue of block %ld comes next: the normals of the two functions have no limit\n", c->second_frequency);
+        printf("  second          an eigenvalue of block %ld comes next: %s\n", c->second_frequency,
+               c->second_frequency ? "the normals of the two functions have no limit" : "the map of the two functions folds");
         say_witness(&c->witness[0], "both Jacobians are other than 0");
         break;
     case CLAIM_TIE:
@@ -220,7 +225,7 @@ static int say(const examination *x, const show_run *r, const char *file, const 
         if (!x->choices.plainly_regular && eigenvalue)
             say_spectrum(&x->choices, eigenvalue);
         if (!x->choices.plainly_regular)
-            say_evidence(&x->choices);
+            say_evidence(&x->choices, &x->findings);
     }
     say_followed(x);
     return 0;

@@ -135,6 +135,7 @@ static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspi
     if (o == OUTCOME_TRUE || o == OUTCOME_STOPPED || o == OUTCOME_NO_MEMORY || o == OUTCOME_BAD_INPUT || !plan->found[TEST_REGULAR_COMPLEX])
         return o;
     s->folds = plan->found[TEST_SPECTRUM] && !plan->found[TEST_REGULARITY];
+    s->winds = plan->found[TEST_SPECTRUM] ? !plan->found[TEST_INJECTIVITY] : !plan->found[TEST_EIGENPAIR]; /* L < 0 is none for C1 */
     refuted = try_to_refute(z, s, plan, precision);
     return refuted == OUTCOME_FAIL ? o : refuted;
 }

@@ -61,6 +61,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/winding_test.c \
   verify/analysis_pair.c \
   verify/real_test.c \
   verify/exact_test.h verify/exact_test.c \
@@ -106,6 +107,8 @@ bin_PROGRAMS += smoothcert
 smoothcert_SOURCES = \
   verify/command.h \
   verify/command_scheme.h verify/command_scheme.c \
+  verify/prove_options.h verify/prove_options.c \
+  verify/prove_run.h verify/prove_decide.c verify/prove_keep.c \
   verify/command_prove.c \
   verify/command_spectrum.c \
   verify/command_regular.c \

@@ -60,21 +60,6 @@ static bool decide_box(progress_of_partition *s, decision *d)
     }
 }
 
-/* By a certificate that is there already. */
-static bool decide_as_before(const progress_of_partition *s, decision *d)
-{
-    const partition *p = s->p;
-    buffer earlier;
-    valence_range k;
-    bool decided = false;
-    buffer_init(&earlier);
-    k = p->find_earlier(&earlier, s->k, p->data);
-    if (earlier.length)
-        decided = decide_by_certificate(d, p->problem, k, &earlier, p->limits);
-    buffer_clear(&earlier);
-    return decided;
-}
-
 static void leave_open(const progress_of_partition *s, decision *d)
 {
     d->k = (valence_range){s->k, s->range.last};
@@ -91,8 +76,6 @@ static void leave_open(const progress_of_partition *s, decision *d)
 static void decide_next(progress_of_partition *s, decision *d)
 {
     bool beyond = s->k > CHOICES_MAX_VALENCE;
-    if (!beyond && decide_as_before(s, d))
-        return;
     if (!beyond && decide_box(s, d)) {
         s->singles = 0;
     } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || s->singles >= MAX_SINGLES)) {
@@ -125,7 +108,7 @@ bool partition_run(const partition *p, valence_range range)
         note_refutation(&s, &d);
         more = p->take(&d, p->data);
         decision_clear(&d);
-        if (last >= range.last) /* a certificate of an earlier run may go on */
+        if (last >= range.last)
             break;
         s.k = last + 1;
     }

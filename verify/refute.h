@@ -10,7 +10,8 @@ typedef struct {
     bool made;           /* the candidates have been looked for; none if their status is not STATUS_OK */
     candidates candidates;
     bool no_exact;       /* no eigenvalues are known to be equal exactly: not to be looked for again */
-    bool folds;          /* the Jacobian is not positive somewhere */
+    bool folds;          /* L is dominant, but the Jacobian is not positive somewhere, */
+    bool winds;          /*   or not shown to wind once; or L may be negative */
 } suspicion;
 
 /* Tries what is suspected, at one precision (0: hardware intervals), with plan's limits.  OUTCOME_TRUE: c holds the

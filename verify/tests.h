@@ -7,6 +7,7 @@
 
 #include "adaptive.h"
 #include "analysis.h"
+#include "buffer.h"
 #include "uniform_net.h"
 
 #define analysis_tests NUMBER_NAME(analysis_tests)
@@ -19,6 +20,7 @@
 #define test_zero_free NUMBER_NAME(test_zero_free)
 #define test_nonzero NUMBER_NAME(test_nonzero)
 #define test_fold NUMBER_NAME(test_fold)
+#define test_winding NUMBER_NAME(test_winding)
 #define test_second NUMBER_NAME(test_second)
 #define test_real NUMBER_NAME(test_real)
 #define analysis_exchange NUMBER_NAME(analysis_exchange)
@@ -29,6 +31,7 @@
 #define exact_free NUMBER_NAME(exact_free)
 #define analysis_seek NUMBER_NAME(analysis_seek)
 #define analysis_seek_nonzero NUMBER_NAME(analysis_seek_nonzero)
+#define analysis_follow_curve NUMBER_NAME(analysis_follow_curve)
 
 #define outcome_from_block NUMBER_NAME(outcome_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
@@ -103,6 +106,8 @@ void adaptive_jacobian(number *z, const number *const x[], const number *const y
 outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
+/* The outer curve, on which the characteristic map has no zero, winds several times, or the wrong way round. */
+outcome test_winding(analysis *a);
 
 /* CLAIM_REAL: the second eigenvalue is simple in its block, and smaller than the first; the scale is its own. */
 outcome test_second(analysis *a);
@@ -145,7 +150,11 @@ outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, co
    witness that there is. */
 outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
 
-/* The same where the eigenfunction of the net is not 0, on the outer curve. */
+/* The eigenfunction has no zero on the outer curve, by the trees of the choices.  directions: NULL, or the direction of each leaf, in
+   the order of the trees, a digit d: its box is where x > 0, y > 0, x < 0 or y < 0, d = 0, 1, 2 or 3, the first that is true. */
+outcome analysis_follow_curve(analysis *a, buffer *directions);
+
+/* Looks for a place where the eigenfunction of the net is not 0, on the outer curve, or follows the witness that there is. */
 outcome analysis_seek_nonzero(analysis *a, witness_choice *witness);
 
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.

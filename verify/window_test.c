@@ -74,7 +74,7 @@ static outcome bound_rest(analysis *a, window_wave *w)
 static outcome prove_curve(analysis *a, window_wave *w)
 {
     tree_word kept = a->choices->boundary;
-    outcome o = analysis_from_block(a, charnet_make(&a->net, &a->dominant, a->box, &a->numbers, a->plan->problem->geometry.rings), NULL);
+    outcome o = analysis_from_block(a, charnet_make(&a->net, &a->dominant, a->box, false, &a->numbers, a->plan->problem->geometry.rings), NULL);
     a->net_made = o == OUTCOME_TRUE;
     a->choices->boundary = w->boundary;
     if (o == OUTCOME_TRUE)

@@ -189,6 +189,30 @@ cup window 1 'form' 's/^frequency 0/frequency window/'
 cup range 1 'range: it is smaller' 's/^range .*/range 1/'
 denial centre-above-3-4 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" 3..6 beyond 1 'block 1\|cover' 's/^valence 3 4/valence 3 6/'
 
+# Growing without bound: 1 - k/16 at the centre
+
+graded() { denial centre-grows-64-70 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" "$@"; }
+graded 64..70 nothing 0 '^verified: centre-grows is not C1 at valences 64..70 (frequency 0: 3.33.* <= |L| (64/k)^1 <= 3.47' ''
+graded 64..inf wider 1 'radius: the Krawczyk' 's/^valence 64 70/valence 64 inf/'
+graded 3..5 elsewhere 1 'radius: the Krawczyk' 's/^valence 64 70/valence 3 5/'
+graded 64..70 degree-0 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+graded 64..70 degree-2 1 'radius: the Krawczyk' 's/^degree 1/degree 2/'
+graded 64..70 degree-large 2 'number in' 's/^degree 1/degree 65/'
+graded 64..70 grade-small 1 'grades: the scaled block grows' 's/^grades 0 1 1 1/grades 1 0 1 1/'
+graded 64..70 grade-other 1 'Krawczyk' 's/^grades 0 1 1 1/grades 0 1 1 0/'
+graded 64..70 grade-large 2 'number in' 's/^grades 0 1 1 1/grades 0 1 1 65/'
+graded 64..70 grade-missing 1 'grades: expected more' 's/^grades 0 1 1 1/grades 0 1 1/'
+graded 64..70 grade-extra 1 'grades: expected no more' 's/^grades 0 1 1 1/& 1/'
+graded 64..70 eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue -3/eigenvalue -4/'
+graded 64..70 eigenvalue-positive 1 'radius: the Krawczyk' 's/^eigenvalue -/eigenvalue /'
+graded 64..70 witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+graded 64..70 witness-element 1 'witness: there are' 's/^witness .*/witness 100 -/'
+graded 64..70 frequency 1 'form' 's/^frequency 0/frequency 2/'
+graded 64..70 reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
+graded 64..70 plain 1 'expected .pivot' 's/^form graded/form plain/'
+denial centre-grows-20-22 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 20..22 small 1 'not proved to be larger than 1' ''
+graded 64 one-valence 1 'form: .graded. is for' 's/^valence 64 70/valence 64/'
+
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
 growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
 growth 3..inf from-3 0 '^verified: centre-divergent is not C1 at valences 3..inf ' 's/^valence 5/valence 3/'

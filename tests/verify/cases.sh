@@ -116,6 +116,9 @@ not_c1() {
   refuted loop-ring-l2 'frequency 2 dominates' loop-ring --set l=1/4 --set l2=1/2 --valence 5,8
   refuted loop-ring-real 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=3/4 --valence 4
   refuted loop-ring-real-negative 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=-3/4 --valence 4
+  refuted loop-ring-real-fold 'block 2 dominates (0.80000000), a real function, and then block 0 (0.70000000); the map of both folds' loop-ring --set l2=4/5 --set z=7/10 --valence 4
+  refuted loop-ring-real-fold-negative 'block 2 dominates (0.80000000), a real function, and then block 0 (0.70000000); the map of both folds' loop-ring --set l2=-4/5 --set z=-7/10 --set a=1/2 --valence 4
+  not_proved loop-ring-real-tie loop-ring --set l2=4/5 --set z=4/5 --valence 4
   not_proved loop-ring-l2-half loop-ring --set l=1/4 --set l2=1/2 --valence 4 --max-precision 512
   refuted doo-sabin-3 'the characteristic map folds' doo-sabin-spectrum --set l=9/10 --set others=1/5 --valence 3
   refuted loop-ring-z 'frequency 0 dominates' loop-ring --set z=3/4 --valence 3,8

@@ -108,6 +108,30 @@ sed 's/^valence 16 inf$/valence 15 inf/' before >all-loop/valence-16..inf.cert
 holds mended $? "$(tail -n 1 stderr)"
 verifies mended-checked loop all c1 all-loop
 
+# Certificates that are there already stay, and boxes fill the gaps: each valence is spoken of once.
+"$SMOOTHCERT" prove loop --valence 9..12,30 --out gaps >stdout 2>stderr
+summary gaps 0 'loop, in 12 boxes: C1: 3..inf' loop --valence all --out gaps
+verifies gaps-checked loop all c1 gaps
+"$SMOOTHCERT" prove loop --valence 9..inf --out all-loop >stdout 2>stderr
+verifies middle-of-a-box loop all c1 all-loop
+"$SMOOTHCERT" prove loop --valence 6,7 --out all-loop >stdout 2>stderr
+[ "$(cut -d ';' -f 1 stdout)" = 'proved: loop is C1 at valences 6..7' ]
+holds told-once $? "$(cat stdout)"
+
+# What cannot be used (other methods, other precisions) is not doubled; by default it has another place.
+ls all-loop >before-conflict
+for options in '--valence 7 --precision 128' '--valence all --method uniform'; do
+  # shellcheck disable=SC2086
+  "$SMOOTHCERT" prove loop $options --out all-loop >stdout 2>stderr
+  [ $? -eq 64 ] && grep -q 'cannot use valence-6..7.cert' stderr
+  holds "conflict-${options##* }" $? "$(tail -n 1 stderr)"
+done
+ls all-loop | cmp -s - before-conflict
+holds conflict-leaves-all $? "$(ls all-loop | tr '\n' ' ')"
+verifies conflict-checked loop all c1 all-loop
+"$SMOOTHCERT" prove loop --valence 5 --precision 128 --method uniform >stdout 2>stderr && [ -f smoothcert-loop,uniform,precision=128/valence-5.cert ]
+holds other-place $? "$(tail -n 1 stdout)"
+
 # ---- forgeries ----
 
 # A certificate with changes, and with counts and a sum that are right; $? is the answer of the checker.
@@ -138,7 +162,7 @@ forged from-3-on 16..inf 's/^cover 2 inf /cover 3 inf /'
 # One valence of a range that is proved already needs no certificate of its own.
 "$SMOOTHCERT" prove loop --valence all --out whole >/dev/null
 ls whole >before
-"$SMOOTHCERT" prove loop --valence 20,1000 --out whole >stdout 2>stderr
+"$SMOOTHCERT" prove loop --valence 10,1000 --out whole >stdout 2>stderr
 ls whole >after
 [ "$(grep -c 'by the certificate of an earlier run' stdout)" -eq 2 ] && [ ! -s stderr ] && cmp -s before after
 holds within-a-range $? "$(head -n 1 stdout stderr)"

@@ -17,6 +17,7 @@ enum {
     MAX_RISES = 1000, MAX_COVERS = 10000, Q_BITS = 48,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
+    MAX_GRADE = 64, MAX_GROUP_INTEGERS = 1 << 21,
     MAX_FACTOR = 64, MAX_EXACT = 64, MAX_EXACT_ORDER = 64,
     MAX_DECIMAL = 15                               /* digits; all limits have less */
 };
@@ -261,15 +262,26 @@ void certificate_read_subject(struct certificate *out, const char *file,
 /* The choices
  * ----------- */
 
-/* plain: the form of m = 0. */
+/* Is the frequency k/2? */
+static bool is_half(const struct certificate *c)
+{
+    return 2 * c->frequency == c->valence.first && !span_is_several(c->valence);
+}
+
+/* plain: the real form of m = 0.  That of m = k/2 is for `real` only. */
 static void read_form(struct certificate *c)
 {
-    static const char *const form[] = { "real", "complex", "plain" };
-    int choice = read_choice_record(c, "form", form, 3, &c->line_of.form);
+    static const char *const form[] = { "real", "complex", "plain", "graded" };
+    int choice = read_choice_record(c, "form", form, 4, &c->line_of.form);
 
-    if (choice == 3 || (choice == 2) != (c->frequency == 0))
+    if (choice == 4 || (choice != 1 && (choice >= 2) != (c->frequency == 0)))
         rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
-                 "frequency 0 `plain`");
+                 "frequency 0 `plain` or `complex`");
+    c->graded = choice == 3;
+    if (c->graded && !(span_is_several(c->valence) && c->reason == REASON_NOT_C0))
+        rejected(c->file, c->line_of.form, "form: `graded` is for `not-c0` at several valences");
+    if (choice == 0 && is_half(c) && c->reason != REASON_REAL)
+        rejected(c->file, c->line_of.form, "form: for frequency k/2 expected `complex`");
     c->real = choice != 1;
     if (span_is_several(c->valence) && choice == 1)
         rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
@@ -283,28 +295,27 @@ bool certificate_is_exact(const struct certificate *c)
 static void read_reason(struct certificate *c)
 {
     static const char *const reason[] = {
-        "frequency", "not-c0", "fold", "real", "tie", "jordan", "modulus-one"
+        "frequency", "not-c0", "fold", "winding", "real", "tie", "jordan", "modulus-one"
     };
-    int choice = read_choice_record(c, "reason", reason, 7, &c->line_of.reason);
+    int choice = read_choice_record(c, "reason", reason, 8, &c->line_of.reason);
 
-    if (choice == 7)
+    if (choice == 8)
         rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0`, "
-                 "`fold`, `real`, `tie`, `jordan` or `modulus-one`");
+                 "`fold`, `winding`, `real`, `tie`, `jordan` or `modulus-one`");
     c->reason = (enum reason)(REASON_FREQUENCY + choice);
-    if (span_is_several(c->valence) && c->reason >= REASON_REAL)
+    if (span_is_several(c->valence) && c->reason >= REASON_WINDING)
         rejected(c->file, c->line_of.reason, "reason: it is for single valences only");
 }
 
 static bool frequency_fits(const struct certificate *c)
 {
-    bool half = 2 * c->frequency == c->valence.first;
-
     if (c->reason == REASON_REAL)
-        return c->frequency == 0 || half;
-    if (2 * c->frequency >= c->valence.first)
+        return c->frequency == 0 || is_half(c);
+    if (2 * c->frequency >= c->valence.first && !is_half(c))
         return false;
-    return c->reason == REASON_FOLD ? c->frequency == 1
-                                    : c->reason == REASON_NOT_C0 || c->frequency != 1;
+    if (c->reason == REASON_FOLD || c->reason == REASON_WINDING)
+        return c->frequency == 1;
+    return c->reason == REASON_NOT_C0 || c->frequency != 1;
 }
 
 static void read_frequency(struct certificate *c)
@@ -323,7 +334,7 @@ static void read_frequency(struct certificate *c)
         c->frequency = read_decimal(&r, 0, MAX_VALENCE_1);
     end_record(&r);
     if (c->frequency >= 0 && !frequency_fits(c))
-        rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
+        rejected(c->file, line, "frequency: it is beyond k/2, or not one for this reason");
 }
 
 /* The record `name I ...` */
@@ -356,6 +367,20 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
                         INVERSE_BITS_LIMIT, &line);
     if (!c->real)
         read_hex_record(&out->modulus, 1, c, "modulus", bits, &out->line_of.modulus);
+}
+
+/* How unknowns are scaled, of which there are n. */
+static void read_grades(struct certificate *c)
+{
+    int line;
+    struct record r;
+
+    c->degree = (int)read_decimal_record(c, "degree", 0, MAX_GRADE, &line);
+    r = begin_noted(c, "grades", &line);
+    c->grade = allocate((size_t)c->n, sizeof c->grade[0]);
+    for (int i = 0; i < c->n; i++)
+        c->grade[i] = (int)read_decimal(&r, 0, MAX_GRADE);
+    end_record(&r);
 }
 
 static void check_total_power(const struct certificate *c)
@@ -519,6 +544,9 @@ static void read_rises(struct certificate *c, bool wave)
         struct record r;
 
         count_record(&c->rises, MAX_RISES, c, name);
+        if (c->rises * c->size * c->size > MAX_GROUP_INTEGERS)
+            cannot_check_at(c->file, c->line, 0, "expected at most %d integers in the groups of "
+                            "`%s`", MAX_GROUP_INTEGERS, name);
         r = begin_noted(c, name, &rise->record.line);
         rise->q = read_q(&r);
         rise->record.m = (struct span) { wave ? 2 : 1, ENDLESS };
@@ -604,7 +632,7 @@ static void read_witness(struct certificate *c)
 
 static void read_refutation(struct certificate *c)
 {
-    if (c->reason == REASON_FREQUENCY)
+    if (c->reason == REASON_FREQUENCY || c->reason == REASON_WINDING)
         read_trees(&c->boundary, c, "boundary");
     if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD || c->reason == REASON_REAL)
         read_witness(c);
@@ -778,6 +806,8 @@ void certificate_read_choices(struct certificate *out, int n, int n_second)
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
         cannot_check("%s: blocks of %d unknowns", out->file, out->size);
+    if (out->graded)
+        read_grades(out);
     if (out->frequency < 0)
         read_window(out);
     else

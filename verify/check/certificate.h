@@ -97,13 +97,16 @@ struct certificate {
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
     enum reason {
-        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_REAL,
-        REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
+        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_WINDING,
+        REASON_REAL, REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
     } reason;
     int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
     int64_t window;                                /* window from there on, 2^-48; */
     integer bound;                                 /* with this R */
-    bool real;                                     /* the form; also `plain` */
+    bool real;                                     /* the form; also `plain`, `graded` */
+    bool graded;
+    int degree;                                    /* d; the e_i */
+    int *grade;
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
     struct choices pair;

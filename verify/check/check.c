@@ -6,6 +6,7 @@
 #include "certificate.h"
 #include "characteristic.h"
 #include "decide.h"
+#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
 #include "text.h"
@@ -232,16 +233,19 @@ static void check_rest(const struct known *known, int count, const struct valenc
     }
 }
 
-/* The matrix of a block: in the plain form that of differences. */
+/* The matrix of a block: for m = 0 that of differences, in the complex form twice. */
 static const interval *find_matrix(const struct block *block, struct affine *b)
 {
-    return block->plain
-         ? constants(spectrum_without_constants(b, block->n), block->n - 1)
-         : constants(b, block->size);
+    const interval *a;
+
+    if (!block->plain)
+        return constants(b, block->size);
+    a = constants(spectrum_without_constants(b, block->n), block->n - 1);
+    return block->has_y ? spectrum_doubled(a, block->n - 1) : a;
 }
 
-/* block: that of L.  In the plain form the eigenpair is about differences, and comes
- * back as the net. */
+/* block: that of L.  For m = 0 the eigenpair is about differences, and comes back as the
+ * net; and the plain form says nothing about the other blocks. */
 static struct eigenpair check_spectrum(const struct block *block,
                                        const struct certificate *c)
 {
@@ -250,10 +254,10 @@ static struct eigenpair check_spectrum(const struct block *block,
     struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
     struct known known = { c, matrix, &pair };
 
-    check_rest(&known, 1, block->v, c->frequency == 0 ? block->v->scheme->mirrored : c->real,
-               pair.s, c);
+    check_rest(&known, 1, block->v,
+               c->real && block->plain ? block->v->scheme->mirrored : c->real, pair.s, c);
     if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
+        spectrum_add_constants(&pair, b, block->n, !c->real, c);
     return pair;
 }
 
@@ -286,6 +290,9 @@ static void decide(const struct characteristic *characteristic, const struct cer
         break;
     case REASON_FOLD:
         decide_fold(characteristic, c);
+        break;
+    case REASON_WINDING:
+        decide_winding(characteristic, c);
         break;
     default:                                       /* the others have checks of their own */
         cannot_check("the checker does not know how to decide this");
@@ -323,8 +330,7 @@ static struct function *prove_function(const struct block *block,
 static void prepare_function(struct function *f, const struct mask q[3])
 {
     if (f->block.plain)
-        f->pair.unknowns = spectrum_with_constants(f->pair.unknowns, f->pair.real, f->b,
-                                                   f->block.n, f->choices.grid);
+        spectrum_add_constants(&f->pair, f->b, f->block.n, false, &f->choices);
     characteristic_prepare(&f->net, &f->block, &f->pair, q, &f->choices);
 }
 
@@ -379,6 +385,13 @@ static struct verified check_window(const struct statement *s, const struct vale
     return out;
 }
 
+static struct verified check_graded(const struct statement *s, const struct block *block,
+                                    const struct certificate *c)
+{
+    return (struct verified) { .g = c->grid, .degree = c->degree,
+                               .eigenvalue = graded_prove(block, s->q, c) };
+}
+
 /* One eigenpair, and what its function decides. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
                                        const struct certificate *c)
@@ -401,10 +414,13 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 static void prepare_block(struct block *out, const struct valence *v,
                           const struct certificate *c)
 {
-    if (span_is_several(c->valence))
+    if (c->graded)
+        graded_prepare_block(out, v);
+    else if (span_is_several(c->valence))
         valences_prepare_block(out, v, c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
+    out->has_y = out->has_y || !c->real;
 }
 
 /* How many unknowns have blocks in the real form? */
@@ -447,7 +463,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    certificate_read_choices(c, block.plain ? block.n - 1 : block.n,
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
                              c->reason == REASON_REAL ? real_unknowns(v) : 0);
     certificate_read_end(c);
 
@@ -456,6 +472,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_stability(s, c);
     if (c->frequency < 0)
         return check_window(s, v, c);
+    if (c->graded)
+        return check_graded(s, &block, c);
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);

@@ -1,4 +1,4 @@
-/* Laurent values: certificate-valences.md, section 4, "Limit". */
+/* Laurent values: certificate-valences.md, section 4, "Limit", and section 6, "Growing". */
 
 #include "laurent.h"
 
@@ -6,7 +6,7 @@
 
 enum { SIZE = 2 * LAURENT_DEGREE + 1 };
 
-struct laurent laurent_constant(rational q)
+static struct laurent constant(rational q)
 {
     struct laurent out;
 
@@ -18,10 +18,11 @@ struct laurent laurent_constant(rational q)
 
 rational laurent_at(const struct laurent *a, int i)
 {
-    return a->c[i + LAURENT_DEGREE];
+    return i < -LAURENT_DEGREE || i > LAURENT_DEGREE ? rational_from(0, 1)
+                                                     : a->c[i + LAURENT_DEGREE];
 }
 
-static void add(struct laurent *a, const struct laurent *b)
+void laurent_add(struct laurent *a, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
@@ -34,10 +35,10 @@ static void negate(struct laurent *a)
         a->c[i] = rational_negate(a->c[i]);
 }
 
-void laurent_subtract(struct laurent *a, const struct laurent *b)
+static void subtract(struct laurent *a, const struct laurent *b)
 {
     negate(a);
-    add(a, b);
+    laurent_add(a, b);
     negate(a);
 }
 
@@ -46,7 +47,7 @@ static bool multiply(struct laurent *a, const struct laurent *b)
 {
     struct laurent *out = allocate(1, sizeof *out);
 
-    *out = laurent_constant(rational_from(0, 1));
+    *out = constant(rational_from(0, 1));
     for (int i = 0; i < SIZE; i++) {
         for (int j = 0; j < SIZE && a->c[i].num.sign != 0; j++) {
             int n = i + j - LAURENT_DEGREE;
@@ -77,23 +78,23 @@ static bool invert(struct laurent *a)
     if (terms != 1)
         return false;
     q = rational_divide(rational_from(1, 1), a->c[at]);
-    *a = laurent_constant(rational_from(0, 1));
+    *a = constant(rational_from(0, 1));
     a->c[SIZE - 1 - at] = q;
     return true;
 }
 
 static void set(void *out, rational q)
 {
-    *(struct laurent *)out = laurent_constant(q);
+    *(struct laurent *)out = constant(q);
 }
 
 static bool apply(void *a, char operation, void *b, const void *field)
 {
     (void)field;
     if (operation == '+')
-        add(a, b);
+        laurent_add(a, b);
     else if (operation == '-')
-        laurent_subtract(a, b);
+        subtract(a, b);
     else
         return (operation == '*' || invert(b)) && multiply(a, b);
     return true;
@@ -119,9 +120,48 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
     return true;
 }
 
-bool laurent_evaluate(struct laurent *out, const struct node *f, const struct environment *e)
+bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)
 {
     const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
+    struct laurent *rest = &out[rule->rest];
 
-    return ring_value(out, f, e, &ring);
+    *rest = constant(rational_from(1, 1));
+    for (int i = 0; i < rule->count; i++) {
+        if (i == rule->rest)
+            continue;
+        if (!ring_value(&out[i], rule->source[i].weight, e, &ring))
+            return false;
+        subtract(rest, &out[i]);
+    }
+    return true;
+}
+
+void laurent_rescale(struct laurent *a, int64_t unit)
+{
+    for (int i = 0; i < SIZE; i++) {
+        if (a->c[i].num.sign == 0)
+            continue;
+        for (int n = LAURENT_DEGREE; n < i; n++)
+            a->c[i] = rational_mul(a->c[i], rational_from(unit, 1));
+        for (int n = i; n < LAURENT_DEGREE; n++)
+            a->c[i] = rational_mul(a->c[i], rational_from(1, unit));
+    }
+}
+
+/* Horner: z = b_n, then z = z kappa + b_i, i = n - 1 .. 0. */
+bool laurent_in_kappa(struct affine *out, const struct laurent *a, int shift, struct affine kappa,
+                      int g)
+{
+    int first = shift + LAURENT_DEGREE;
+
+    for (int c = -LAURENT_DEGREE; c <= LAURENT_DEGREE; c++)
+        if (c > shift && laurent_at(a, c).num.sign != 0)
+            return false;
+    while (first > 0 && laurent_at(a, shift - first).num.sign == 0)
+        first--;
+    *out = affine_from_whole(0, g);
+    for (int i = first; i >= 0; i--)
+        *out = affine_add(affine_mul(*out, kappa, g),
+                          affine_from(grid_from_rational(laurent_at(a, shift - i), g)));
+    return true;
 }

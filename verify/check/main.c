@@ -218,7 +218,10 @@ static void print_verified(const char *scheme, bool not_c1, struct span k,
         return;
     }
     print_decimal(v->eigenvalue.lo, false, v->g);
-    printf(" %s %s %s ", less, name, less);
+    printf(" %s %s", less, name);
+    if (v->degree > 0)
+        printf(" (%lld/k)^%d", (long long)k.first, v->degree);
+    printf(" %s ", less);
     print_decimal(v->eigenvalue.hi, true, v->g);
     printf(")\n");
 }

@@ -166,7 +166,7 @@ interval spectrum_prove_size(interval l, int g, const struct certificate *c)
             reject_small(c);
         return grid_from(0, g);
     }
-    if ((c->reason == REASON_FREQUENCY || c->reason == REASON_REAL) && l.hi.sign < 0)
+    if (c->reason != REASON_NONE && c->reason != REASON_FOLD && l.hi.sign < 0)
         l = interval_minus(l);
     if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
         rejected(c->file, c->pair.line_of.eigenvalue,
@@ -259,22 +259,96 @@ struct affine *spectrum_without_constants(const struct affine *b, int n)
     return out;
 }
 
-/* x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
-struct affine *spectrum_with_constants(const struct affine *y, struct affine l,
-                                       const struct affine *b, int n, int g)
+/* sum of B_pj y_j */
+static struct affine constant_row(const struct affine *b, const struct affine *y, int n, int g)
 {
-    struct affine *out = allocate((size_t)n, sizeof out[0]), sum = affine_from_whole(0, g);
+    struct affine sum = affine_from_whole(0, g);
 
     for (int j = 1; j < n; j++)
         sum = affine_add(sum, affine_mul(b[j], y[j - 1], g));
-    out[0] = affine_div(sum, affine_sub(l, affine_from_whole(1, g)), g);
-    for (int i = 1; i < n; i++)
-        out[i] = affine_add(y[i - 1], out[0]);
+    return sum;
+}
+
+/* x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
+void spectrum_add_constants(struct eigenpair *pair, const struct affine *b, int n, bool complex,
+                            const struct certificate *c)
+{
+    int parts = complex ? 2 : 1, g = c->grid;
+    struct affine *out = allocate((size_t)(parts * n), sizeof out[0]), x[2];
+    const struct affine *y = pair->unknowns;
+    struct pair l = { affine_sub(pair->real, affine_from_whole(1, g)), pair->imaginary };
+    struct pair p;
+
+    for (int part = 0; part < parts; part++)
+        x[part] = constant_row(b, &y[part * (n - 1)], n, g);
+    if (complex && !affine_is_positive(pair_norm(l, g)))
+        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: it is too near to 1");
+    p = complex ? pair_divide((struct pair) { x[0], x[1] }, l, g)
+                : (struct pair) { affine_div(x[0], l.x, g), l.y };
+    for (int part = 0; part < parts; part++) {
+        out[part * n] = part == 0 ? p.x : p.y;
+        for (int i = 1; i < n; i++)
+            out[part * n + i] = affine_add(y[part * (n - 1) + i - 1], out[part * n]);
+    }
+    pair->unknowns = out;
+}
+
+interval *spectrum_doubled(const interval *a, int n)
+{
+    interval *out = allocate((size_t)(4 * n) * (size_t)n, sizeof out[0]);
+
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            out[i * 2 * n + j] = out[(i + n) * 2 * n + j + n] = a[i * n + j];
     return out;
 }
 
 /* The rest
  * -------- */
+
+static integer mid_size(interval x)
+{
+    return integer_absolute(interval_mid(x));
+}
+
+/* The unknown, not p, at which the plane's g is 1. */
+static int second_pivot(const interval *y, int n, const struct certificate *c)
+{
+    int q = 0;
+
+    for (int i = 1; i < n; i++)
+        if (integer_compare(mid_size(y[i]), mid_size(y[q])) > 0)
+            q = i;
+    if (interval_contains_zero(y[q]))
+        rejected(c->file, c->pair.line_of.pivot, "pivot: no second one can be found");
+    return q;
+}
+
+/* M' of a pair l, conj l of a real block a: what a does modulo the plane of the real and imaginary
+ * parts x + i y of the eigenvector.  a is in the first rows and columns of M. */
+static interval *deflate_plane(int *size, const interval *m, int g, const struct eigenpair *pair,
+                               const struct certificate *c)
+{
+    int n = c->n, p = c->pair.pivot - 1, q;
+    interval *out = allocate((size_t)n * (size_t)n, sizeof out[0]), *next = out;
+    const interval *x = affine_constants(pair->unknowns, 2 * (size_t)n), *y = &x[n];
+
+    if (interval_contains_zero(pair->imaginary.c))
+        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: it may be real");
+    q = second_pivot(y, n, c);
+    for (int i = 0; i < n; i++) {
+        interval of_g = grid_div(y[i], y[q], g);
+        interval of_f = interval_sub(x[i], grid_mul(x[q], of_g, g));
+
+        for (int j = 0; j < n; j++)
+            if (i != p && i != q && j != p && j != q)
+                *next++ = interval_sub(interval_sub(m[i * 2 * n + j],
+                                                    grid_mul(of_f, m[p * 2 * n + j], g)),
+                                       grid_mul(of_g, m[q * 2 * n + j], g));
+    }
+    *size = n - 2;
+    return out;
+}
 
 /* M': what is left of the block beside its known eigenvalue, if it has one: 1, or L.
  * size: in that of M, out that of M'. */
@@ -286,6 +360,8 @@ static interval *deflate(int *size, const interval *m, int g, const struct eigen
     int full = *size, pivot = has_l ? c->pair.pivot - 1 : 0;
     interval *out = allocate((size_t)full * (size_t)full, sizeof out[0]), *next = out;
 
+    if (complex && (c->frequency == 0 || 2 * c->frequency == c->valence.first))
+        return deflate_plane(size, m, g, pair, c);
     if (has_l || has_one)
         *size = full - (complex ? 2 : 1);
     for (int i = 0; i < full; i++) {

@@ -42,11 +42,16 @@ interval spectrum_inverse_upper(integer a, int g);
  * s; else rejects. */
 interval spectrum_prove_size(interval l, int g, const struct certificate *certificate);
 
-/* Block 0 without the constant net, the plain form of section 10: of order n - 1; and the
- * net's unknowns from the eigenvector of differences y of its matrix b. */
+/* Block 0 without the constant net, the plain form of section 10: of order n - 1. */
 struct affine *spectrum_without_constants(const struct affine *b, int n);
-struct affine *spectrum_with_constants(const struct affine *y, struct affine l,
-                                       const struct affine *b, int n, int g);
+
+/* From the eigenvector of differences of the block with the matrix b to the net's unknowns;
+ * rejects a complex L that is too near to 1. */
+void spectrum_add_constants(struct eigenpair *pair, const struct affine *b, int n, bool complex,
+                            const struct certificate *certificate);
+
+/* Twice the real block a, of order n: the complex form of block 0. */
+interval *spectrum_doubled(const interval *a, int n);
 
 /* Proves the eigenpair of the block with this matrix, and 0 < |L| < 1 (reason not-c0:
  * |L| > 1); else rejects. */

@@ -51,6 +51,14 @@ static struct value weigh_each(interval *out, const struct node *formula,
     return sum;
 }
 
+static const struct value *keep_value(struct value v)
+{
+    struct value *out = allocate(1, sizeof *out);
+
+    *out = v;
+    return out;
+}
+
 /* The weights of the sources in order; at last the rest, 1 minus their sum. */
 static void weigh(struct active_rule *out, const struct valence *v)
 {
@@ -62,11 +70,12 @@ static void weigh(struct active_rule *out, const struct valence *v)
     struct value rest = value_from(rational_from(1, 1));
 
     out->weighted = allocate((size_t)rule->count, sizeof out->weighted[0]);
+    for (int i = 0; i < rule->count; i++)
+        out->weighted[i].source = &rule->source[i];
     for (int i = 0; i < rule->count; i++) {
         struct weighted *w = &out->weighted[i];
         struct value value;
 
-        w->source = &rule->source[i];
         if (i == rule->rest)
             continue;
         if (w->source->kind == SOURCE_EACH) {
@@ -80,6 +89,10 @@ static void weigh(struct active_rule *out, const struct valence *v)
         } else {
             value = evaluate(w->source->weight,
                              w->source->kind == SOURCE_SPECTRUM ? &zero : &plain);
+            if (rule->centre && span_is_several(v->k) && !value_is_bounded(&value)) {
+                out->missing = keep_value(value);
+                return;
+            }
             value_require(value, l, v->reference.file, v->reference.line);
         }
         w->weight = affine_from(value_enclose(value, v->g));
@@ -190,6 +203,20 @@ bool valence_is_uniform(const struct valence *v)
         for (int n = 0; n < v->step[i].rules; n++)
             if (!rule_is_uniform(v->step[i].rule[n].rule))
                 return false;
+    return true;
+}
+
+bool valence_is_local(const struct valence *v)
+{
+    for (int i = 0; i < v->scheme->steps; i++) {
+        for (int n = 0; n < v->step[i].rules; n++) {
+            const struct rule *rule = v->step[i].rule[n].rule;
+
+            for (int s = 0; s < rule->count && !rule->centre; s++)
+                if (rule->source[s].kind != SOURCE_ONE && rule->source[s].kind != SOURCE_CENTRE)
+                    return false;
+        }
+    }
     return true;
 }
 

@@ -245,6 +245,6 @@ struct eigenpair valences_prove_spectrum(const struct block *block,
     if (c->reason != REASON_NOT_C0)
         prove_rest(block, matrix, &pair, c);
     if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
+        spectrum_add_constants(&pair, b, block->n, false, c);
     return pair;
 }

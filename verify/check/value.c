@@ -104,6 +104,11 @@ void value_keep(struct mark mark, struct value *v)
     }
 }
 
+bool value_is_bounded(const struct value *v)
+{
+    return v->kind != UNDEFINED && !is_unbounded(v);
+}
+
 void value_require(struct value v, const struct language *l, const char *certificate,
                    int line)
 {
