@@ -60,6 +60,7 @@ VERIFY_TESTS = \
   tests/verify/t-picture \
   tests/verify/t-prove \
   tests/verify/t-exact \
+  tests/verify/t-winding \
   tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
@@ -72,6 +73,7 @@ tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_picture_LDADD = $(LINK_VERIFY)
 tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
 tests_verify_t_exact_LDADD = $(LINK_VERIFY)
+tests_verify_t_winding_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)

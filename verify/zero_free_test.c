@@ -2,37 +2,40 @@
    rotation maps to itself, or somewhere on it.  Compiled once per number system. */
 #include "tests.h"
 
-/* The first of the half-planes x > 0, y > 0, x < 0, y < 0, numbered from 0, that certainly holds (x, y); -1: none does. */
-static int direction_of(const number *x, const number *y)
+static bool has_sign(const number *x)
 {
-    if (number_is_positive(x) == TRUTH_TRUE)
-        return 0;
-    if (number_is_positive(y) == TRUTH_TRUE)
-        return 1;
-    if (number_is_negative(x) == TRUTH_TRUE)
-        return 2;
-    return number_is_negative(y) == TRUTH_TRUE ? 3 : -1;
+    return number_is_positive(x) == TRUTH_TRUE || number_is_negative(x) == TRUTH_TRUE;
 }
 
-/* z = the distance from the line that bounds that half-plane, of which no rounding makes 0, or something that contains 0: F is
-   not 0 if it is positive.  data: a buffer that takes the direction, or NULL. */
-static void distance(number *z, const number *const x[], const number *const y[], const void *data, long prec)
+/* The first of the half-planes x > 0, y > 0, x < 0, y < 0 that certainly holds (x, y), as a digit from 0; one does. */
+static const char *direction_of(const number *x, const number *y)
+{
+    if (number_is_positive(x) == TRUTH_TRUE)
+        return "0";
+    if (number_is_positive(y) == TRUTH_TRUE)
+        return "1";
+    return number_is_negative(x) == TRUTH_TRUE ? "2" : "3";
+}
+
+/* z = |x| if that has a sign, however small, else |y| if that has one, else something that contains 0: F is not 0 if it is
+   positive.  (Squares would be rounded to 0 on the grid.)  data: a buffer that takes the direction, or NULL. */
+static void coordinate_with_sign(number *z, const number *const x[], const number *const y[], const void *data, long prec)
 {
     buffer *directions = (buffer *)(uintptr_t)data;
-    int d = direction_of(x[0], y[0]);
-    const number *coordinate = d % 2 ? y[0] : x[0];
-    (void)prec;
-    if (d > 1)
+    const number *coordinate = has_sign(x[0]) ? x[0] : y[0];
+    if (number_is_negative(coordinate) == TRUTH_TRUE)
         number_neg(z, coordinate);
     else
-        number_set(z, d < 0 ? x[0] : coordinate);
-    if (directions && d >= 0)
-        buffer_append(directions, &"0123"[d], 1);
+        number_set(z, coordinate);
+    if (!has_sign(coordinate))
+        number_add(z, z, x[0], prec);
+    else if (directions)
+        buffer_append(directions, direction_of(x[0], y[0]), 1);
 }
 
 static adaptive_task make_task(const buffer *directions)
 {
-    return (adaptive_task){.nets = 1, .which = {RING_VALUES}, .quantity = distance, .data = directions, .boxes_only = true};
+    return (adaptive_task){.nets = 1, .which = {RING_VALUES}, .quantity = coordinate_with_sign, .data = directions, .boxes_only = true};
 }
 
 outcome analysis_follow_curve(analysis *a, buffer *directions)

@@ -99,7 +99,7 @@ static void test_net(void)
 {
     static const int eighths[] = { 8, -2, 1, 3 };
     int grades[] = { 0, 1, 3, 2 };
-    struct certificate c = { .file = "certificate", .grid = FINE, .degree = 2, .grade = grades };
+    struct certificate c = { .file = "certificate", .grid = FINE, .unit = 8, .degree = 2, .grade = grades };
     struct valence *v = allocate(1, sizeof *v);
     struct block block;
     struct graded *s = allocate(1, sizeof *s);

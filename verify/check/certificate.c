@@ -375,6 +375,9 @@ static void read_grades(struct certificate *c)
     int line;
     struct record r;
 
+    c->unit = read_decimal_record(c, "unit", 0, MAX_VALENCE_1, &line);
+    if (c->unit == 0)
+        rejected(c->file, line, "unit: it is not positive");
     c->degree = (int)read_decimal_record(c, "degree", 0, MAX_GRADE, &line);
     r = begin_noted(c, "grades", &line);
     c->grade = allocate((size_t)c->n, sizeof c->grade[0]);
@@ -640,22 +643,21 @@ static void read_refutation(struct certificate *c)
         read_witness(c);
 }
 
-/* `second m'` and its eigenpair, in the real form. */
-static void read_second(struct certificate *c, int n)
+/* `second m'` and its eigenpair: its form is plain for 0, which is for k/2 only, else real. */
+static void read_second(struct certificate *c, const int n[2])
 {
     struct certificate own = *c;
     int line;
 
-    own.second_frequency = read_decimal_record(&own, "second", 0, MAX_VALENCE_1, &line);
-    if (own.second_frequency < 1 || 2 * own.second_frequency >= c->valence.first)
+    own.frequency = read_decimal_record(&own, "second", 0, MAX_VALENCE_1, &line);
+    if (2 * own.frequency >= c->valence.first || (own.frequency == 0 && !is_half(c)))
         rejected(c->file, line, "second: it is not between 0 and k/2");
-    own.frequency = own.second_frequency;
     read_form(&own);
     if (!own.real)
-        rejected(c->file, own.line_of.form, "form: expected `real`");
-    own.n = own.size = n;
+        rejected(c->file, own.line_of.form, "form: expected `real`, or for frequency 0 `plain`");
+    own.n = own.size = own.frequency == 0 ? n[0] : n[1];
     read_eigenpair(&own.second, &own);
-    c->second_frequency = own.second_frequency;
+    c->second_frequency = own.frequency;
     c->second = own.second;
     c->next = own.next;
     c->line = own.line;
@@ -799,7 +801,7 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
     read_form(out);
 }
 
-void certificate_read_choices(struct certificate *out, int n, int n_second)
+void certificate_read_choices(struct certificate *out, int n, const int n_second[2])
 {
     out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
     out->n = n;

@@ -105,6 +105,7 @@ struct certificate {
     integer bound;                                 /* with this R */
     bool real;                                     /* the form; also `plain`, `graded` */
     bool graded;
+    int64_t unit;                                  /* q */
     int degree;                                    /* d; the e_i */
     int *grade;
     int n;                                         /* number of unknowns of a block */
@@ -147,8 +148,9 @@ void certificate_read_form(struct certificate *out, bool plainly_regular);
 bool certificate_is_exact(const struct certificate *c);
 
 /* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
- * less than block 0 has); reason real: the second one has n_second. */
-void certificate_read_choices(struct certificate *out, int n, int n_second);
+ * less than block 0 has); reason real: the second one has n_second[0] for m' = 0, else
+ * n_second[1]. */
+void certificate_read_choices(struct certificate *out, int n, const int n_second[2]);
 
 void certificate_read_end(struct certificate *out);
 

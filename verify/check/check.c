@@ -346,7 +346,7 @@ static struct verified check_real(const struct statement *s, const struct block 
     own->frequency = c->second_frequency;
     own->pair = c->second;
     block_prepare(&other, block->v, true, span_of(c->second_frequency));
-    own->n = own->size = other.n;
+    own->n = own->size = other.plain ? other.n - 1 : other.n;
     second = prove_function(&other, own);
     if (integer_compare(second->modulus.hi, first->modulus.lo) >= 0)
         rejected(c->file, c->second.line_of.eigenvalue,
@@ -388,7 +388,7 @@ static struct verified check_window(const struct statement *s, const struct vale
 static struct verified check_graded(const struct statement *s, const struct block *block,
                                     const struct certificate *c)
 {
-    return (struct verified) { .g = c->grid, .degree = c->degree,
+    return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
                                .eigenvalue = graded_prove(block, s->q, c) };
 }
 
@@ -423,15 +423,15 @@ static void prepare_block(struct block *out, const struct valence *v,
     out->has_y = out->has_y || !c->real;
 }
 
-/* How many unknowns have blocks in the real form? */
-static int real_unknowns(const struct valence *v)
+/* How many unknowns has the eigenpair of block m in the real form (0: plain)? */
+static int unknowns(const struct valence *v, int64_t m)
 {
     struct mark mark = scratch_mark();
     struct block block;
 
-    block_prepare(&block, v, true, span_of(1));
+    block_prepare(&block, v, true, span_of(m));
     scratch_release(mark);
-    return block.n;
+    return m == 0 ? block.n - 1 : block.n;
 }
 
 static struct verified check_choices(struct statement *s, struct certificate *c)
@@ -440,6 +440,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
+    int n_second[2] = { 0, 0 };
     struct block block;
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
@@ -463,8 +464,10 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
+    for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
+        n_second[m] = unknowns(v, m);
     certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
-                             c->reason == REASON_REAL ? real_unknowns(v) : 0);
+                             n_second);
     certificate_read_end(c);
 
     check_contraction(s, c);

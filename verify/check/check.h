@@ -19,7 +19,8 @@ struct statement *statement_new(const char *scheme_file, const struct setting *s
 struct verified {
     bool plainly_regular, real;
     bool exact;                                    /* L is 1 or -1 */
-    int degree;                                    /* d, if it is |L| (k1/k)^d */
+    int64_t unit;                                  /* q and d, if it is |L| (q/k)^d */
+    int degree;
     int64_t frequency;                             /* m; -1: a window of frequencies */
     interval eigenvalue;                           /* L or |L|, on the grid g */
     int g;

@@ -1,7 +1,7 @@
 /* An eigenvalue of block 0 that grows with k: certificate-valences.md, section 6, "Growing without
  * bound".
  *
- * kappa = k1/k.  The eigenvalue is L kappa^-d, and the eigenvector has the components
+ * kappa = q/k.  The eigenvalue is L kappa^-d, and the eigenvector has the components
  * kappa^e_i x_i; so has its net, the value kappa^e(y) V(y) at a label y. */
 
 #include "graded.h"
@@ -40,7 +40,7 @@ static noreturn void reject(const struct certificate *c, int line, const char *w
 static struct affine kappa_power(struct graded *s, int n)
 {
     if (n > MAX_KAPPA)
-        cannot_check("the checker has no power %d of k1/k", n);
+        cannot_check("the checker has no power %d of q/k", n);
     for (; s->powers <= n; s->powers++)
         s->kappa[s->powers] = affine_mul(s->kappa[s->powers - 1], s->kappa[1], s->g);
     return s->kappa[n];
@@ -48,10 +48,11 @@ static struct affine kappa_power(struct graded *s, int n)
 
 static void prepare_kappa(struct graded *s, struct span k)
 {
-    interval u = grid_from(1, s->g);
+    int64_t q = s->c->unit;
+    interval u = k.last == ENDLESS ? grid_from(0, s->g)
+                                   : grid_from_rational(rational_from(q, k.last), s->g);
 
-    u = interval_hull(u, k.last == ENDLESS ? grid_from(0, s->g)
-                         : grid_from_rational(rational_from(k.first, k.last), s->g));
+    u = interval_hull(u, grid_from_rational(rational_from(q, k.first), s->g));
     s->kappa[0] = affine_from_whole(1, s->g);
     s->kappa[1] = (struct affine) { interval_thin(interval_mid(u)),
                                     interval_thin(interval_rad(u)) };
@@ -133,7 +134,7 @@ static struct laurent **centre_row(const struct graded *s)
         const struct source *source = &rule->source[i];
         int j = source->kind == SOURCE_CENTRE ? 0 : unknown_at(s->block, source->a, source->b);
 
-        laurent_rescale(&w[i], v->k.first);
+        laurent_rescale(&w[i], s->c->unit);
         if (out[j] == NULL)
             out[j] = &w[i];
         else

@@ -12,7 +12,7 @@
 void graded_prepare_block(struct block *out, const struct valence *v);
 
 /* Proves |l| > 1 and that its function is not 0, at each valence; returns what contains
- * |l| (k1/k)^d; else rejects.  q: q_0, q_1, q_2. */
+ * |l| (q/k)^d; else rejects.  q: q_0, q_1, q_2. */
 interval graded_prove(const struct block *block, const struct mask q[3],
                       const struct certificate *certificate);
 

@@ -220,7 +220,7 @@ static void print_verified(const char *scheme, bool not_c1, struct span k,
     print_decimal(v->eigenvalue.lo, false, v->g);
     printf(" %s %s", less, name);
     if (v->degree > 0)
-        printf(" (%lld/k)^%d", (long long)k.first, v->degree);
+        printf(" (%lld/k)^%d", (long long)v->unit, v->degree);
     printf(" %s ", less);
     print_decimal(v->eigenvalue.hi, true, v->g);
     printf(")\n");
