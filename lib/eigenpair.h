@@ -19,6 +19,7 @@
 #include "eigenpair_choice.h"
 
 #define eigenpair_choose NUMBER_NAME(eigenpair_choose)
+#define eigenpair_choose_radius NUMBER_NAME(eigenpair_choose_radius)
 #define eigenpair_choose_range NUMBER_NAME(eigenpair_choose_range)
 #define eigenpair_prove NUMBER_NAME(eigenpair_prove)
 #define eigenpair_prove_range NUMBER_NAME(eigenpair_prove_range)
@@ -40,6 +41,10 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
 
 /* The same with the radius choice->range. */
 truth eigenpair_prove_range(number *box, const eigenpair_choice *choice, const number *b, long prec);
+
+/* Where eigenpair_choose has found approximations and no radius, for b is wide: looks for a radius in smaller steps.  The answers
+   are the same. */
+truth eigenpair_choose_radius(eigenpair_choice *z, const number *b, long prec);
 
 /* Looks for a z->range, not much larger than need be and z->radius at least, with which eigenpair_prove_range accepts b, a
    wider matrix than the choice was made for.  The answers are those of eigenpair_choose. */

@@ -243,6 +243,20 @@ static outcome run_tests(analysis *a)
     return o;
 }
 
+/* What is there as text belongs to the scaled block: with its factor. */
+static bool describe_growth(analysis *a)
+{
+    char growth[CHOICES_GROWTH_TEXT], *scaled = a->findings->eigenvalue, *text = malloc(strlen(scaled) + sizeof growth + 4);
+    choices_print_growth(growth, a->choices);
+    if (text && *growth)
+        sprintf(text, "(%s) %s", scaled, growth);
+    else if (text)
+        strcpy(text, scaled);
+    free(scaled);
+    a->findings->eigenvalue = text;
+    return text != NULL;
+}
+
 /* L as text. */
 static bool describe(analysis *a)
 {
@@ -254,6 +268,8 @@ static bool describe(analysis *a)
     free(f->eigenvalue);
     re = number_get_decimal(&a->box[a->order], digits);
     f->eigenvalue = re;
+    if (re && a->choices->claim == CLAIM_GRADED)
+        return describe_growth(a);
     if (!a->choices->eigenpair.complex_form || !re)
         return re != NULL;
     im = number_get_decimal(&a->box[a->order + 1], digits);

@@ -19,6 +19,7 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/exact_search.h verify/exact_search.c \
   verify/refute.h verify/refute.c \
+  verify/refute_range.h verify/refute_range.c \
   verify/escalate.h verify/escalate.c \
   verify/partition.h verify/partition.c \
   verify/classification.h verify/classification.c \
@@ -95,6 +96,7 @@ VERIFY_AFFINE_SOURCES = \
   verify/range_eigenpair_test.c \
   verify/range_spectrum_test.c \
   verify/window_test.c \
+  verify/graded_test.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)

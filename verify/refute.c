@@ -137,15 +137,6 @@ void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, 
              s->candidates.frequency[s->candidates.frequency[0] == 1], bits, precision);
 }
 
-outcome refute_range(findings *f, choices *c, const analysis_plan *plan, valence_range k, long precision)
-{
-    choices_clear(c);
-    c->claim = CLAIM_WINDOW;
-    c->frequency = 2;
-    c->k = k;
-    return attempt_choices(f, c, plan, precision);
-}
-
 /* The two blocks that count. */
 static void describe_tie(char *text, size_t size, const exact_choice *e, double l)
 {
@@ -172,12 +163,11 @@ static void describe_jordan(char *text, size_t size, const choices *c, double l)
 /* What frequency m makes of a curve round the point. */
 static void describe_frequency(char *text, size_t size, const choices *c, double l, double radius_of_one)
 {
-    const char *pair = c->pair ? "a pair that is not real of " : "";
-    int length = snprintf(text, size, "%sfrequency %ld dominates (%.8f, frequency 1 has %.8f); ", pair, c->frequency, l, radius_of_one);
+    int length = snprintf(text, size, "frequency %ld dominates%s (%.8f, frequency 1 has %.8f); ", c->frequency, c->pair ? " by a complex pair" : "", l, radius_of_one);
     if (c->frequency)
         snprintf(text + length, size - (size_t)length, "the surface would wind %ld times", c->frequency);
     else if (c->pair)
-        snprintf(text + length, size - (size_t)length, "the surface would wind a multiple of %ld times, or not at all", c->k.first);
+        snprintf(text + length, size - (size_t)length, "the surface would wind 0 times, or a multiple of %ld", c->k.first);
     else
         snprintf(text + length, size - (size_t)length, "nothing turns round the point");
 }
@@ -196,10 +186,6 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
     switch (c->claim) {
     case CLAIM_FREQUENCY:
         describe_frequency(text, size, c, l, s->candidates.radius_of_one);
-        break;
-    case CLAIM_WINDOW:
-        snprintf(text, size, "at each of them a frequency m with m/k from %.6f to %.6f dominates (by %.8f at least); the surface would wind m times",
-                 ldexp((double)c->window.start, -ARC_BITS), ldexp((double)window_choice_end(&c->window), -ARC_BITS), l);
         break;
     case CLAIM_NOT_C0:
         snprintf(text, size, "block %ld has an eigenvalue beyond 1 (%.8f); there is no continuous limit", c->frequency, l);

@@ -22,9 +22,6 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
    may be that they are equal. */
 void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, long valence, long precision);
 
-/* The same for several valences. */
-outcome refute_range(findings *f, choices *c, const analysis_plan *plan, valence_range k, long precision);
-
 /* Why it is not C1, as a sentence without an end: "frequency 2 dominates (...): ..." */
 void refute_describe(char *text, size_t size, const choices *c, const findings *f, const suspicion *s);
 

@@ -13,6 +13,7 @@
 #define analysis_tests NUMBER_NAME(analysis_tests)
 #define test_regular_complex NUMBER_NAME(test_regular_complex)
 #define test_window NUMBER_NAME(test_window)
+#define test_graded NUMBER_NAME(test_graded)
 #define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
 #define test_regularity NUMBER_NAME(test_regularity)
@@ -127,8 +128,14 @@ outcome test_exact(analysis *a);
 outcome test_exact_witnesses(analysis *a);
 void exact_free(analysis *a);
 
-/* a->box: the eigenpair of a->dominant, by choices that are found or followed (only for affine numbers). */
+/* The matrix of the eigenpair: that of the block, unless something else is made of it. */
+static inline const number *analysis_matrix(const analysis *a) { return a->matrix ? a->matrix : a->dominant.entry; }
+
+/* a->box: the eigenpair of analysis_matrix(a), of order a->order, by choices that are found or followed (only for affine numbers). */
 outcome analysis_prove_pair(analysis *a, eigenpair_choice *e, const char *of_what);
+
+/* The eigenvalue of block 0 that grows without bound with the valence, scaled, and its net (only for affine numbers). */
+outcome test_graded(analysis *a);
 
 /* At every valence the blocks of some frequencies in a window dominate, simply, and their eigenfunctions have no zero on the outer
    curve (only for affine numbers). */

@@ -59,7 +59,7 @@ static void find_scheme_file(char *out, size_t size, const char *name)
         snprintf(out, size, "%s/tests/certificates/schemes/%s.scheme", source_folder(), name);
 }
 
-/* A row of a table: NAME SCHEME VALENCE [OPTION VALUE]... */
+/* A row of a table: NAME SCHEME VALENCES [OPTION VALUE]... */
 static void read_row(corpus *c, char *row, const char *folder, bool not_c1)
 {
     base *z = &c->base[c->count];
@@ -70,7 +70,8 @@ static void read_row(corpus *c, char *row, const char *folder, bool not_c1)
     snprintf(z->name, sizeof z->name, "%s", word);
     snprintf(path, sizeof path, "%s/tests/certificates/%s/%s.cert", source_folder(), folder, word);
     find_scheme_file(z->scheme_file, sizeof z->scheme_file, strtok(NULL, " "));
-    z->valence = strtol(strtok(NULL, " "), NULL, 10);
+    word = valence_range_read(&z->k, strtok(NULL, " "));
+    CHECK(word && !*word, "%s: of which valences?", z->name);
     z->not_c1 = not_c1;
     while ((word = strtok(NULL, " ")) != NULL) {
         char *value = strtok(NULL, " ");
@@ -117,13 +118,13 @@ static const char *checker_program(void)
     return program ? program : "./smoothcert-check";
 }
 
-static void become_checker(const base *b, const char *scheme, long valence, const char *certificate)
+static void become_checker(const base *b, const char *scheme, valence_range k, const char *certificate)
 {
     struct rlimit limit = {SECONDS_PER_CHECK, SECONDS_PER_CHECK};
-    char number[32];
+    char valences[VALENCE_RANGE_TEXT];
     const char *argument[16 + 2 * MAX_SETTINGS];
     int count = 0;
-    snprintf(number, sizeof number, "%ld", valence);
+    valence_range_print(valences, k);
     argument[count++] = checker_program();
     argument[count++] = "--scheme";
     argument[count++] = scheme ? scheme : b->scheme_file;
@@ -132,7 +133,7 @@ static void become_checker(const base *b, const char *scheme, long valence, cons
         argument[count++] = b->setting[i];
     }
     argument[count++] = "--valence";
-    argument[count++] = number;
+    argument[count++] = valences;
     argument[count++] = "--claim";
     argument[count++] = b->not_c1 ? "not-c1" : "c1";
     argument[count++] = certificate;
@@ -152,14 +153,14 @@ static void read_said(char *out, size_t size, const char *name)
         fclose(file);
 }
 
-void ask_checker(answer *z, const base *b, const char *scheme, long valence, const char *certificate)
+void ask_checker(answer *z, const base *b, const char *scheme, valence_range k, const char *certificate)
 {
     int how = 0;
     pid_t child;
     fflush(stdout);
     child = fork();
     if (child == 0)
-        become_checker(b, scheme, valence, certificate);
+        become_checker(b, scheme, k, certificate);
     z->status = -1;
     if (child > 0 && waitpid(child, &how, 0) == child && WIFEXITED(how))
         z->status = WEXITSTATUS(how);

@@ -1,15 +1,17 @@
-/* corpus.h: the good certificates of accept/ and accept-1/, and the checker as a program. */
+/* corpus.h: the good certificates of accept/, accept-1/ and ../check/ranges/, and the checker as a program. */
 #ifndef TESTS_CERTIFICATES_CORPUS_H
 #define TESTS_CERTIFICATES_CORPUS_H
 
 #include "mutations.h"
+
+#include "verify/valence_range.h"
 
 enum { MAX_BASES = 100, MAX_SETTINGS = 4, SECONDS_PER_CHECK = 30 };
 
 /* A good certificate with its claim. */
 typedef struct {
     char name[64], scheme_file[512];
-    long valence;
+    valence_range k;
     bool not_c1;
     char *setting[MAX_SETTINGS]; /* "name=value" */
     int settings;
@@ -39,8 +41,8 @@ typedef struct {
     char out[512], err[512];
 } answer;
 
-/* Asks SMOOTHCERT_CHECK about the file `certificate` with the claim of b, but for the valence, and for the scheme of the
+/* Asks SMOOTHCERT_CHECK about the file `certificate` with the claim of b, but for the valences, and for the scheme of the
    file `scheme` if that is not NULL. */
-void ask_checker(answer *z, const base *b, const char *scheme, long valence, const char *certificate);
+void ask_checker(answer *z, const base *b, const char *scheme, valence_range k, const char *certificate);
 
 #endif

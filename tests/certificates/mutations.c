@@ -102,7 +102,7 @@ static void corner_number(char *out, size_t size)
     static const char *const hexadecimal[] = {"0", "1", "-1", "2", "20", "-20", "c", "7fffffff", "80000000", "100000000", "ffffffffffffffff",
                                               "8000000000000000", "-8000000000000000", "10000000000000000", "-0", "0x1", "00", "+1", "-", "1.5"};
     static const char *const decimal[] = {"3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "63", "64", "65", "128", "500", "1000", "1024", "1025", "8192",
-                                          "8193", "10000", "10001", "65536", "4294967296", "1000000000", "1000000001", "1099511627776", "18446744073709551616"};
+                                          "8193", "10000", "10001", "65536", "4294967296", "1000000000", "1000000001", "1099511627776", "18446744073709551616", "inf"};
     snprintf(out, size, "%s", random_bool() ? pick(hexadecimal, sizeof hexadecimal / sizeof *hexadecimal) : pick(decimal, sizeof decimal / sizeof *decimal));
 }
 
@@ -211,12 +211,17 @@ static void mutate_token(char *out, size_t size, const char *token, bool decimal
 
 enum { MAX_TOKENS = 2000 };
 
+/* Some lines have numbers of both kinds. */
 static bool is_decimal_line(const char *line)
 {
-    static const char *const names[] = {"valence", "grid", "contraction", "stability", "frequency", "pivot", "block", "witness", "records", "scheme", "power"};
+    static const char *const names[] = {"valence", "grid", "contraction", "stability", "frequency", "pivot", "block", "witness", "records", "scheme", "power", "limit", "degree", "grades"};
+    static const char *const mixed[] = {"cover", "rise", "wave"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strncmp(line, names[i], strlen(names[i])) == 0)
             return true;
+    for (size_t i = 0; i < sizeof mixed / sizeof *mixed; i++)
+        if (strncmp(line, mixed[i], strlen(mixed[i])) == 0)
+            return random_bool();
     return false;
 }
 

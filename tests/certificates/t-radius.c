@@ -67,7 +67,7 @@ static void expect_checker(subject_of_claim *s, long long radius, int expected)
     buffer_init(&certificate);
     set_radius(&certificate, s, radius);
     write_file("certificate", certificate.bytes, certificate.length);
-    ask_checker(&a, s->from, NULL, s->from->valence, "certificate");
+    ask_checker(&a, s->from, NULL, s->from->k, "certificate");
     CHECK(a.status == expected, "%s: radius %llx: the checker says %s%s", s->from->name, (unsigned long long)radius, a.out, a.err);
     buffer_clear(&certificate);
 }

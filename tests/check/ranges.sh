@@ -163,6 +163,59 @@ s/\n\n/\
 /
 }'
 
+# Certificates of schemes that stand in them, with choices of their own
+
+# own CERTIFICATE VALENCES NAME STATUS PATTERN SED-COMMAND: the lie is one of the scheme, or of the certificate.
+own() {
+  sed -e '/^records/,$d' -e "$6" "$here/$1.cert" >edited
+  sed -e '1,2d' -e '/^claim /,$d' edited >own.scheme
+  sed -e "2s/.*/scheme $(($(wc -l <own.scheme)))/" edited >body
+  finish body lie.cert
+  claim "$1-$3" "$4" "$5" own.scheme "$2" lie.cert
+}
+# The largest eigenvalue of block m rises with m at first, where all is as in Loop's scheme otherwise.
+own falling-31-inf 31..inf nothing 1 'not proved to be positive and to rise' ''
+# 1 + 3/k of the centre: block 0 is ahead of block 1 at all valences, and tends to it.
+own centre-rising-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
+mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
+mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
+mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
+mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
+mask centre-of-the-mask 1 'limit: the mask does not keep the value at the centre' '/^rule centre/,/^end/d'
+mask rule-depends-on-k 1 'limit: it is for all valences' '/^claim/i\
+rule (1,1)\
+centre 1/4 + 0*k\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+end'
+mask rule-with-all-sectors 1 'limit: a rule has sources in all sectors' '/^claim/i\
+rule (1,1)\
+centre 1/4\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+all (1,1) 0\
+end'
+mask exponents-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/k - (1/k)^40*(1/k)^40,'
+mask power-beyond 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,& + (1/k/k)^40,'
+mask quotient-by-a-sum 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4/(k + 1),'
+mask case-unknown 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(mod(k\, 2) = 0: 7/4/k; else: 7/4/k),'
+mask case-known 0 '^verified' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4/k; else: 1),'
+mask case-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - cases(k > 5: 7/4*abs(1/k); else: 1),'
+mask name-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - w,
+/^mask/i\
+let w = 7/4*abs(1/k)'
+mask no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4*abs(1/k),'
+mask weight-for-each-sector 1 'a weight for each sector is for single valences only' '/^claim/i\
+rule (1,1)\
+centre 1/4\
+(1,0) 1/4\
+(1,0) @ 1 1/4\
+(1,1) rest\
+(1,1) @ j 0\
+end'
+
 # Refutations at one frequency
 
 # denial CERTIFICATE SCHEME-FILE VALENCES NAME STATUS PATTERN SED-COMMAND
@@ -226,6 +279,62 @@ growth 5..inf eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
 growth 5..inf witness 1 'witness' 's/^witness \([0-9]*\) .*/witness 1000 -/'
 growth 5..inf cover 1 'expected .witness' 's/^witness.*/cover 1 inf 800000000000 9\
 &/'
+
+# What the prover writes, and one lie each
+
+# told CERTIFICATE VALENCES NAME ...: the scheme is what the certificate says it is.
+told() {
+  sed -n '/^claim/q;3,$p' "$here/$1.cert" >told.scheme
+  certificate=$1 valences=$2
+  shift 2
+  denial "$certificate" told.scheme "$valences" "$@"
+}
+sixteenth() { told sixteenth-112-inf 112..inf "$@"; }
+sixteenth nothing 0 '^verified: loop-sixteenth is not C1 at valences 112..inf' ''
+sixteenth unit 1 'Krawczyk' 's/^unit 16/unit 15/'
+sixteenth degree 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+sixteenth degree-2 1 'Krawczyk' 's/^degree 1/degree 2/'
+sixteenth grade 1 'grades: the scaled block grows' 's/^grades 0 1 1 1/grades 0 1 1 2/'
+sixteenth grade-smaller 1 'Krawczyk' 's/^grades 0 1 1 1/grades 0 1 1 0/'
+sixteenth grade-of-centre 1 'grades: the scaled block grows' 's/^grades 0/grades 2/'
+sixteenth eigenvalue 1 'Krawczyk' 's/^eigenvalue -f/eigenvalue -e/'
+sixteenth sign 1 'Krawczyk' 's/^eigenvalue -/eigenvalue /'
+sixteenth eigenvector 1 'Krawczyk' 's/^eigenvector -6/eigenvector -5/'
+sixteenth witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+sixteenth witness-elsewhere 1 'witness: there are' 's/^witness .*/witness 4 001/'
+sixteenth reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
+told sixteenth-112-inf 19..inf from-19 1 'Krawczyk' 's/^valence 112 inf/valence 19 inf/'
+told sixteenth-112-inf 5..19 proved-to-be-c1 1 'Krawczyk' 's/^valence 112 inf/valence 5 19/'
+told sixteenth-112-inf 26..27 modulus-one 1 'Krawczyk' 's/^valence 112 inf/valence 26 27/'
+denial sixteenth-112-inf "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 112..inf another-scheme 1 'scheme' ''
+sixteenth slower 1 'scheme' 's:k/16:k/17:'
+
+turns() { told two-turns-30-inf 30..inf "$@"; }
+turns nothing 0 '^verified: two-turns is not C1 at valences 30..inf (frequency 2: 0.599' ''
+turns frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/;s/^block 2 2/block 3 3/'
+turns frequency-1 1 'frequency: it is beyond' 's/^frequency 2/frequency 1/;s/^block 2 2/block 1 1/'
+turns block-0 1 'expected .block' '/^block 0/d'
+turns below-missing 1 'cover: ' '/^cover 1 1/d'
+turns above-missing 1 'cover: ' '/^cover 3/d'
+turns itself-covered 1 'cover: ' 's/^cover 1 1/cover 1 2/'
+turns not-c0 1 'expected .witness' 's/^reason frequency/reason not-c0/'
+turns boundary 1 'boundary' 's/^boundary 0/boundary /'
+told two-turns-30-inf 4..inf from-4 1 'frequency: it is beyond' 's/^valence 30/valence 4/'
+told two-turns-30-inf 3..inf from-3 1 'frequency: it is beyond' 's/^valence 30/valence 3/'
+
+rules() { told centre-rules-4-inf 4..inf "$@"; }
+rules nothing 0 '^verified: centre-powers is not C1 at valences 4..inf (frequency 0: 0.86' ''
+rules eigenvalue 1 'Krawczyk' 's/^eigenvalue d/eigenvalue c/'
+rules frequency 1 'frequency: it is beyond' 's/^frequency 0/frequency 2/'
+rules cover 1 'cover' 's/^cover 1/cover 2/'
+rules graded 1 'eigenvector: expected more' 's/^form plain/form graded\nunit 1\ndegree 0\ngrades 0 0 0 0/;s/^reason frequency/reason not-c0/'
+
+folds() { told fold-33-35 33..35 "$@"; }
+folds nothing 0 '^verified: doo-sabin-spectrum is not C1 at valences 33..35' ''
+folds one-witness 1 'witness' '0,/^witness/{/^witness/d;}'
+folds same-sign 1 'witness' 's/^witness 8 .*/witness 4 0000/'
+folds other-sign 1 'witness' 's/^witness 4 .*/witness 8 3333333/'
+told fold-33-35 37..39 farther 1 'Krawczyk' 's/^valence 33 35/valence 37 39/'
 
 # A window of frequencies: Butterfly from 25 on
 

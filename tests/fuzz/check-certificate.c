@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MAX_POWERS = 2000, MAX_PRODUCTS = 400000 };
+
 struct input {
     char *text;
     size_t size;
@@ -40,12 +42,41 @@ static void seal(struct input *in)
     in->size += (size_t)sprintf(in->text + in->size, "sha256 %.64s\n", digest);
 }
 
+/* The powers of matrices that are asked for: the last numbers of these lines. */
+static long sum_of_powers(const char *text)
+{
+    static const char *const names[] = {"block ", "cover ", "rise ", "limit ", "wave ", "others "};
+    long sum = 0, power;
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        for (const char *line = text; (line = find_line(line, names[i])) != NULL; line++) {
+            const char *last = line + strcspn(line, "\n");
+
+            while (last[-1] != ' ')
+                last--;
+            power = strtol(last, NULL, 10);
+            sum += 0 <= power && power <= MAX_POWERS ? power : MAX_POWERS + 1;
+        }
+    return sum;
+}
+
+/* The unknowns of the first eigenvector: the order of most matrices. */
+static long count_unknowns(const char *text)
+{
+    const char *line = find_line(text, "eigenvector ");
+    long count = 0;
+
+    for (const char *end = line ? line + strcspn(line, "\n") : line; line != end; line++)
+        count += *line == ' ';
+    return count + 1;
+}
+
 /* A check that takes long is not a bug: these limits keep mutants fast. */
 static bool is_small(const char *text)
 {
     const char *grid = find_line(text, "grid "), *valence = find_line(text, "valence ");
     const char *rest = find_line(text, "stability ");
-    long power;
+    long power, order;
 
     if (!grid || strtol(grid + 5, NULL, 10) > 256 || !valence || strtol(valence + 8, NULL, 10) > 100000)
         return false;
@@ -55,10 +86,9 @@ static bool is_small(const char *text)
         if (power > 3)
             return false;
     }
-    for (rest = text; (rest = find_line(rest, "block ")) != NULL; rest++)
-        if (strlen(rest) > 200 && rest[200] > '5')
-            return false;
-    return true;
+    power = sum_of_powers(text);
+    order = count_unknowns(text);
+    return power <= MAX_POWERS && order < 40 && power * order * order * order <= MAX_PRODUCTS;
 }
 
 static void check(void *argument)

@@ -58,14 +58,22 @@ compile() { # TARGET
   esac
 }
 
-# The bodies of good certificates, so that mutants are sealed.
+# A good certificate, and its body alone: the mutants of that are sealed.
+seed_certificate() { # FILE COPY
+  sed '/^records /,$d' "$1" >"$2.body"
+  cp "$1" "$2"
+}
+
 seed() { # TARGET FOLDER
   case $1 in
     *scheme) for file in "$source"/lib/catalogue/*.scheme "$source"/tests/*/*schemes/*.scheme; do cp "$file" "$2"; done ;;
     *certificate)
-      for file in "$source"/tests/certificates/accept-1/*.cert "$source"/tests/certificates/accept/loop-7.cert; do
-        sed '/^records /,$d' "$file" >"$2/${file##*/}.body"
-        cp "$file" "$2"
+      for file in "$source"/tests/certificates/accept-1/*.cert "$source"/tests/certificates/accept/loop-7.cert "$source"/tests/check/ranges/*.cert; do
+        seed_certificate "$file" "$2/${file##*/}"
+      done
+      for file in "$source"/proofs/*/valence-*..*.cert; do
+        scheme=${file%/*}
+        [ "$(wc -c <"$file")" -gt 2800 ] || seed_certificate "$file" "$2/${scheme##*/}-${file##*/}"
       done
       ;;
     formula)
@@ -88,7 +96,12 @@ seed() { # TARGET FOLDER
 
 words() { # TARGET
   case $1 in
-    *certificate) echo "claim c1 not-c1 valence grid contraction stability reason frequency not-c0 fold form real complex plain pivot eigenvalue eigenvector radius inverse modulus block halfplane regularity boundary witness records sha256 scheme smoothcert-certificate" ;;
+    *certificate)
+      echo "smoothcert-certificate scheme claim c1 not-c1 valence inf grid contraction stability records sha256"
+      echo "reason frequency not-c0 fold tie jordan modulus-one form real complex plain graded degree grades winding"
+      echo "pivot eigenvalue eigenvector radius range inverse modulus second block limit rise cover window bound wave"
+      echo "field factor coefficient power line others exact halfplane regularity boundary witness 800000000000"
+      ;;
     check-arguments) echo "--scheme --set --valence --claim --help --version -- = .. , c1 not-c1" ;;
     valences) echo ".. , 1000000000 100000" ;;
     *) echo "scheme mesh triangle quad dual dilation vertices interior mask symmetric end rule centre all rest when otherwise parameter let spectrum composition refine smooth average times pi cos sin sqrt abs min max mod cases else and or k m j @ ^ <= >= !=" ;;

@@ -37,6 +37,7 @@ typedef struct {
 
 static const statement_case cases[] = {
     {"winding-triangle", NULL, 3, CLAIM_WINDING, 1, false, -2},
+    {"winding-negative", NULL, 3, CLAIM_WINDING, 1, false, -2},
     {"winding-quad", NULL, 3, CLAIM_WINDING, 1, false, -2},
     {"winding-quad", NULL, 4, CLAIM_WINDING, 1, false, -3},
     {"winding-quad", NULL, 5, CLAIM_WINDING, 1, false, -4},
