@@ -182,14 +182,14 @@ mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
 mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
 mask centre-of-the-mask 1 'limit: the mask does not keep the value at the centre' '/^rule centre/,/^end/d'
-mask rule-depends-on-k 1 'limit: it is for all valences' '/^claim/i\
+mask rule-depends-on-k 1 'limit: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4 + 0*k\
 (1,0) 1/4\
 (1,0) @ 1 1/4\
 (1,1) rest\
 end'
-mask rule-with-all-sectors 1 'limit: a rule has sources in all sectors' '/^claim/i\
+mask rule-with-all-sectors 1 'limit: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4\
 (1,0) 1/4\
