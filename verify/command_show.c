@@ -111,7 +111,7 @@ static void say_spectrum(const choices *c, const char *eigenvalue)
 {
     const eigenpair_choice *e = &c->eigenpair;
     printf("  eigenvalue      L = %s\n", eigenvalue);
-    printf("                  simple; of block %ld (%s form, order %d): its nets turn %ld time%s as one goes round once\n", c->frequency,
+    printf("                  simple; of block %ld (%s form, order %d): one sector further its nets have turned by %ld sector%s\n", c->frequency,
            c->claim == CLAIM_GRADED ? "graded" : e->complex_form ? "complex" : c->frequency == 0 ? "plain" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
     if (c->blocks.count == 0)
         return;

@@ -361,9 +361,64 @@ static void test_limits(void)
     test_end();
 }
 
+/* A plain net of complex values: V = S V / L beyond the rings of the block, and the centre, which rules far out ask for, keeps its
+   value.  The unknowns are drawn, for V need be no eigenvector inside. */
+static void test_complex_plain(void)
+{
+    enum { RINGS = 9 };
+    static const char text[] = "scheme far\nmesh triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 5/8\n(1,0) 3/8\n(1,1) 1/8\n(2,0) 1/16\nend\n"
+                               "rule centre\ncentre 1/2\nall (1,0) rest\nend\nrule (3,0)\ncentre 1/4\n(1,0) rest\nend\nrule (5,0)\ncentre -1/8\n(2,0) rest\nend\n";
+    scheme s;
+    scheme_numbers numbers;
+    block b;
+    sector_net net, next;
+    number re, im;
+    diagnostic d = {0, 0, ""};
+    test_begin("charnet-complex-plain");
+    read_scheme(&s, text);
+    number_init(&re), number_init(&im);
+    MUST(scheme_numbers_make(&numbers, &s, 5, PRECISION, &d) == STATUS_OK && block_make(&b, &numbers, 0, true, &d) == BLOCK_OK);
+    number *box = number_array_new((size_t)(2 * b.n + 2)), *eigenvalue = &box[2 * b.n];
+    for (int i = 0; i < 2 * b.n; i++)
+        number_set_double(&box[i], (double)random_range(-64, 64) / 64, PRECISION);
+    number_set_double(&eigenvalue[0], 0.5, PRECISION);
+    number_set_double(&eigenvalue[1], -0.25, PRECISION);
+    MUST(charnet_make(&net, &b, box, true, &numbers, RINGS) == BLOCK_OK && scheme_subdivide(&next, &net, &numbers, RINGS) == SUBDIVIDE_OK);
+    for (int i = 1; i <= RINGS; i++)
+        for (int j = 0; i + j <= RINGS; j++) {
+            int at = sector_index(&net, i, j);
+            if (i + j <= b.rings)
+                continue;
+            number_mul(&re, &eigenvalue[0], &net.x[at], PRECISION); /* L V - S V */
+            number_submul(&re, &eigenvalue[1], &net.y[at], PRECISION);
+            number_sub(&re, &re, &next.x[at], PRECISION);
+            number_mul(&im, &eigenvalue[0], &net.y[at], PRECISION);
+            number_addmul(&im, &eigenvalue[1], &net.x[at], PRECISION);
+            number_sub(&im, &im, &next.y[at], PRECISION);
+            CHECK(number_contains_zero(&re) && number_contains_zero(&im), "(%d,%d): S V is not L V", i, j);
+            CHECK(number_upper_bound(&re) < 1e-6 && number_upper_bound(&im) < 1e-6, "(%d,%d) is wide", i, j);
+        }
+    number_mul_si(&im, &net.y[sector_index(&net, 1, 0)], 3, PRECISION); /* 3 V(1,0) + centre is 4 S V(3,0) */
+    number_add(&im, &im, &net.centre_y, PRECISION);
+    number_mul_2exp(&im, &im, -2, PRECISION);
+    number_sub(&im, &im, &next.y[sector_index(&next, 3, 0)], PRECISION);
+    CHECK(number_contains_zero(&im), "the rule for (3,0) forgets the centre");
+    number_sub(&re, &net.centre, &box[0], PRECISION);
+    number_sub(&im, &net.centre_y, &box[b.n], PRECISION);
+    CHECK(number_contains_zero(&re) && number_contains_zero(&im), "the centre has another value");
+    number_array_free(box, (size_t)(2 * b.n + 2));
+    number_clear(&re), number_clear(&im);
+    sector_net_free(&net), sector_net_free(&next);
+    block_free(&b);
+    scheme_numbers_free(&numbers);
+    scheme_clear(&s);
+    test_end();
+}
+
 static void tests(void)
 {
     test_eigenvector();
+    test_complex_plain();
     test_regular_valence();
     test_windows();
     test_limits();
