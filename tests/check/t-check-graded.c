@@ -22,9 +22,7 @@
 #include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
 #include "../../verify/check/field.c"
-#define MAX_EXPONENT MAX_EXPONENT_IN_RING         /* value.c has one, too */
 #include "../../verify/check/exact_formula.c"
-#undef MAX_EXPONENT
 #include "../../verify/check/laurent.c"
 #include "../../verify/check/element.c"
 #include "../../verify/check/spline.c"

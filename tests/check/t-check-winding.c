@@ -58,8 +58,9 @@ static int turns_of(const int *xy, int boxes)
 
     for (int i = 0; i < boxes; i++) {
         struct pair box = box_at(xy[2 * i], xy[2 * i + 1]);
+        struct leaf leaf = { .value = { &box } };
 
-        if (!follow(&t, &box))
+        if (!follow(&t, &leaf))
             return 999;
     }
     return t.path.turns;
@@ -96,8 +97,9 @@ static void test_reversed_pieces(void)
         t.path = (struct path) { .begun = false };
         for (int n = 0; n < 3; n++) {
             struct pair box = box_at(piece[i][2 * n], piece[i][2 * n + 1]);
+            struct leaf leaf = { .value = { &box } };
 
-            EXPECT(follow(&t, &box));
+            EXPECT(follow(&t, &leaf));
         }
         join_paths(&t, &curve, reversed(t.path));
     }

@@ -265,31 +265,6 @@ static interval eigenvalue_size(const struct eigenpair *pair, bool real, int g)
     return grid_root(interval_add(grid_mul(a, a, g), grid_mul(b, b, g)), g);
 }
 
-/* Section 8, or the decisions of section 10. */
-static void decide(const struct characteristic *characteristic, const struct certificate *c)
-{
-    switch (c->reason) {
-    case REASON_NONE:
-        decide_regularity(characteristic, c);
-        decide_boundary(characteristic, c);
-        break;
-    case REASON_FREQUENCY:
-        decide_outer_curve(characteristic, c);
-        break;
-    case REASON_NOT_C0:
-        decide_not_zero(characteristic, c);
-        break;
-    case REASON_FOLD:
-        decide_fold(characteristic, c);
-        break;
-    case REASON_WINDING:
-        decide_winding(characteristic, c);
-        break;
-    default:                                       /* the others have checks of their own */
-        cannot_check("the checker does not know how to decide this");
-    }
-}
-
 /* Section 10, `real`. */
 static struct verified check_real(const struct statement *s, const struct block *block,
                                   const struct certificate *c)
@@ -366,7 +341,7 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
     if (c->version == 0)
         check_nonnegative(s, c);
     prepare_net(characteristic, &proved, s->q);
-    decide(characteristic, c);
+    decide_claim(characteristic, c);
     out.eigenvalue = eigenvalue_size(&proved.pair, out.real, c->grid);
     return out;
 }

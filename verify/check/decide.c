@@ -22,17 +22,25 @@ struct path {
     int first, last, turns;
 };
 
+/* What the functions are on an element: boxes, or all coefficients.  A box is like the
+ * coefficient of a constant. */
+struct leaf {
+    enum element_kind kind;
+    const struct basis *basis[MAX_FUNCTIONS];      /* or NULL */
+    struct pair *value[MAX_FUNCTIONS];
+};
+
 struct tree {
     const struct characteristic *c;
     const struct certificate *certificate;
     const char *name;                              /* for messages */
-    int line;
+    int line, g;
     const char *next, *end;                        /* the word */
+    int elements;
+    const struct element *element;
     int functions;
     const struct refinable *f[MAX_FUNCTIONS];
-    bool (*decide)(struct tree *t, const struct pair *box);
-    bool (*decide_coefficients)(struct tree *t, enum element_kind kind,
-                                struct pair *const *coefficient);
+    bool (*decide)(struct tree *t, const struct leaf *l);
     struct path path;                              /* of `winding`: the element's */
 };
 
@@ -107,13 +115,13 @@ static struct patches refine_patches(const struct tree *t, const struct patches 
         for (int n = 0; n < window->count; n++)
             out.of[i][n] = refine_label(old->of[i], &t->f[i]->window[kind],
                                         &t->f[i]->mask, window->label[n].a + child->a,
-                                        window->label[n].b + child->b, t->c->block->v->g);
+                                        window->label[n].b + child->b, t->g);
     }
     return out;
 }
 
-/* Boxes
- * ----- */
+/* Leaves
+ * ------ */
 
 /* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by
  * rho. */
@@ -153,115 +161,6 @@ static struct pair patch_box(const struct pair *patch, const struct refinable *f
     return hull;
 }
 
-static struct affine determinant(const struct pair *v, const struct pair *w, int g)
-{
-    return affine_sub(affine_mul(v->x, w->y, g), affine_mul(v->y, w->x, g));
-}
-
-/* det(d1, d2) > 0 */
-static bool jacobian_is_positive(struct tree *t, const struct pair *box)
-{
-    return affine_is_positive(determinant(&box[0], &box[1], t->c->block->v->g));
-}
-
-/* nx x + ny y > 0 */
-static bool half_plane_contains(struct tree *t, const struct pair *box)
-{
-    const int64_t *n = t->certificate->normal;
-    int g = t->c->block->v->g;
-
-    return affine_is_positive(affine_add(affine_scale(grid_from(n[0], g), box->x, g),
-                                         affine_scale(grid_from(n[1], g), box->y, g)));
-}
-
-/* det(d1, d2) < 0 */
-static bool jacobian_is_negative(struct tree *t, const struct pair *box)
-{
-    struct pair turned[2] = { box[1], box[0] };
-
-    return jacobian_is_positive(t, turned);
-}
-
-static bool is_not_zero(struct tree *t, const struct pair *box)
-{
-    (void)t;
-    return !interval_contains_zero(affine_range(box->x)) ||
-           !interval_contains_zero(affine_range(box->y));
-}
-
-/* Appends what goes on where a path ends; what they share is in both half-planes. */
-static void join_paths(const struct tree *t, struct path *path, struct path next)
-{
-    int change = path->begun ? (next.first - path->last + 4) % 4 : 0;
-
-    if (change == 2)
-        rejected(t->certificate->file, t->line, "%s: the curve is not followed from one "
-                 "leaf to the next", t->name);
-    path->turns += (change == 3 ? -1 : change) + next.turns;
-    path->last = next.last;
-    if (!path->begun)
-        path->first = next.first;
-    path->begun = true;
-}
-
-/* Appends the first half-plane that contains the box, if there is one. */
-static bool follow(struct tree *t, const struct pair *box)
-{
-    const interval x = affine_range(box->x), y = affine_range(box->y);
-    const interval positive[4] = { x, y, interval_minus(x), interval_minus(y) };
-
-    for (int i = 0; i < 4; i++) {
-        if (interval_is_positive(positive[i])) {
-            join_paths(t, &t->path, (struct path) { true, i, i, 0 });
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Coefficients
- * ------------ */
-
-/* All coefficients of the Jacobian: the sum of d1_i and d2_j with i j = g. */
-static bool jacobian_coefficients_are_positive(struct tree *t,
-                                               enum element_kind kind,
-                                               struct pair *const *c)
-{
-    const struct basis *p = &t->f[0]->basis[kind], *q = &t->f[1]->basis[kind];
-    int side_a = p->side_a + q->side_a - 1, side_b = p->side_b + q->side_b - 1;
-    int g = t->c->block->v->g;
-
-    for (int a = 0; a < side_a; a++) {
-        for (int b = 0; b < (p->triangular ? side_a - a : side_b); b++) {
-            struct affine sum = affine_from_whole(0, g);
-
-            for (int i = 0; i < p->side_a && i <= a; i++) {
-                for (int j = 0; j < p->side_b && j <= b; j++) {
-                    if (!basis_has(p, kind, i, j) || !basis_has(q, kind, a - i, b - j))
-                        continue;
-                    sum = affine_add(sum, determinant(&c[0][i * p->side_b + j],
-                                     &c[1][(a - i) * q->side_b + b - j], g));
-                }
-            }
-            if (!affine_is_positive(sum))
-                return false;
-        }
-    }
-    return true;
-}
-
-static bool half_plane_contains_coefficients(struct tree *t, enum element_kind kind,
-                                             struct pair *const *c)
-{
-    const struct basis *p = &t->f[0]->basis[kind];
-
-    for (int i = 0; i < p->side_a; i++)
-        for (int j = 0; j < p->side_b; j++)
-            if (basis_has(p, kind, i, j) && !half_plane_contains(t, &c[0][i * p->side_b + j]))
-                return false;
-    return true;
-}
-
 /* [-rho, rho] */
 static struct affine around_zero(struct error rho)
 {
@@ -283,26 +182,22 @@ static struct pair *widened_patch(const struct pair *patch, const struct refinab
     return out;
 }
 
-/* Trees
- * ----- */
-
-static void check_leaf(struct tree *t, const struct patches *patches,
-                       enum element_kind kind, int depth, const struct element *e)
+static struct leaf box_leaf(const struct tree *t, const struct patches *patches,
+                            enum element_kind kind)
 {
-    struct pair box[MAX_FUNCTIONS];
+    struct leaf out = { .kind = kind };
 
-    for (int i = 0; i < t->functions; i++)
-        box[i] = patch_box(patches->of[i], t->f[i], kind, t->c->version_0);
-    if (!t->decide(t, box))
-        rejected(t->certificate->file, t->line,
-                 "%s: a leaf of level %d in %s(%d,%d) is not decided", t->name,
-                 depth, element_form[e->kind].name, e->a, e->b);
+    for (int i = 0; i < t->functions; i++) {
+        out.value[i] = allocate(1, sizeof out.value[i][0]);
+        *out.value[i] = patch_box(patches->of[i], t->f[i], kind, t->c->version_0);
+    }
+    return out;
 }
 
-static void check_coefficients(struct tree *t, const struct patches *patches,
-                               enum element_kind kind, int depth, const struct element *e)
+static struct leaf coefficient_leaf(const struct tree *t, const struct patches *patches,
+                                    enum element_kind kind)
 {
-    struct pair *coefficient[MAX_FUNCTIONS];
+    struct leaf out = { .kind = kind };
 
     for (int i = 0; i < t->functions; i++) {
         const struct refinable *f = t->f[i];
@@ -310,13 +205,142 @@ static void check_coefficients(struct tree *t, const struct patches *patches,
         if (!f->has_basis)
             rejected(t->certificate->file, t->line, "%s: the letter 2 is for masks of box "
                      "splines only", t->name);
-        coefficient[i] = basis_coefficients(&f->basis[kind], &f->window[kind],
-            widened_patch(patches->of[i], f, f->window[kind].count), t->c->block->v->g);
+        out.basis[i] = &f->basis[kind];
+        out.value[i] = basis_coefficients(out.basis[i], &f->window[kind],
+            widened_patch(patches->of[i], f, f->window[kind].count), t->g);
     }
-    if (!t->decide_coefficients(t, kind, coefficient))
-        rejected(t->certificate->file, t->line, "%s: a leaf of level %d in %s(%d,%d) is not "
-                 "decided by coefficients", t->name, depth, element_form[e->kind].name,
-                 e->a, e->b);
+    return out;
+}
+
+/* The coefficient (i,j) of function n, or NULL where it has none. */
+static const struct pair *coefficient(const struct leaf *l, int n, int i, int j)
+{
+    const struct basis *b = l->basis[n];
+    int side_a = b == NULL ? 1 : b->side_a, side_b = b == NULL ? 1 : b->side_b;
+
+    if (i < 0 || i >= side_a || j < 0 || j >= side_b ||
+        (b != NULL && !basis_has(b, l->kind, i, j)))
+        return NULL;
+    return &l->value[n][i * side_b + j];
+}
+
+/* What leaves show
+ * ---------------- */
+
+static struct affine determinant(const struct pair *v, const struct pair *w, int g)
+{
+    return affine_sub(affine_mul(v->x, w->y, g), affine_mul(v->y, w->x, g));
+}
+
+/* det(d1, d2) > 0 for the boxes; or for all coefficients, the sums of d1_i and d2_j with i j = g. */
+static bool jacobian_is_positive(struct tree *t, const struct leaf *l)
+{
+    const struct basis *p = l->basis[0], *q = l->basis[1];
+    int side_a = p == NULL ? 1 : p->side_a + q->side_a - 1;
+    int side_b = p == NULL ? 1 : p->side_b + q->side_b - 1;
+
+    for (int a = 0; a < side_a; a++) {
+        for (int b = 0; b < (p != NULL && p->triangular ? side_a - a : side_b); b++) {
+            struct affine sum = affine_from_whole(0, t->g);
+
+            for (int i = 0; i <= a; i++) {
+                for (int j = 0; j <= b; j++) {
+                    const struct pair *v = coefficient(l, 0, i, j);
+                    const struct pair *w = coefficient(l, 1, a - i, b - j);
+
+                    if (v != NULL && w != NULL)
+                        sum = affine_add(sum, determinant(v, w, t->g));
+                }
+            }
+            if (!affine_is_positive(sum))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* det(d1, d2) < 0 for the boxes */
+static bool jacobian_is_negative(struct tree *t, const struct leaf *l)
+{
+    return affine_is_positive(determinant(l->value[1], l->value[0], t->g));
+}
+
+/* nx x + ny y > 0 */
+static bool half_plane_contains(struct tree *t, const struct leaf *l)
+{
+    interval nx = grid_from(t->certificate->normal[0], t->g);
+    interval ny = grid_from(t->certificate->normal[1], t->g);
+    int side_a = l->basis[0] == NULL ? 1 : l->basis[0]->side_a;
+    int side_b = l->basis[0] == NULL ? 1 : l->basis[0]->side_b;
+
+    for (int i = 0; i < side_a; i++) {
+        for (int j = 0; j < side_b; j++) {
+            const struct pair *v = coefficient(l, 0, i, j);
+
+            if (v != NULL && !affine_is_positive(affine_add(affine_scale(nx, v->x, t->g),
+                                                            affine_scale(ny, v->y, t->g))))
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool is_not_zero(struct tree *t, const struct leaf *l)
+{
+    (void)t;
+    return !interval_contains_zero(affine_range(l->value[0]->x)) ||
+           !interval_contains_zero(affine_range(l->value[0]->y));
+}
+
+/* Appends what goes on where a path ends; what they share is in both half-planes. */
+static void join_paths(const struct tree *t, struct path *path, struct path next)
+{
+    int change = path->begun ? (next.first - path->last + 4) % 4 : 0;
+
+    if (change == 2)
+        rejected(t->certificate->file, t->line, "%s: the curve is not followed from one "
+                 "leaf to the next", t->name);
+    path->turns += (change == 3 ? -1 : change) + next.turns;
+    path->last = next.last;
+    if (!path->begun)
+        path->first = next.first;
+    path->begun = true;
+}
+
+/* Appends the first half-plane that contains the box, if there is one. */
+static bool follow(struct tree *t, const struct leaf *l)
+{
+    const interval x = affine_range(l->value[0]->x), y = affine_range(l->value[0]->y);
+    const interval positive[4] = { x, y, interval_minus(x), interval_minus(y) };
+
+    for (int i = 0; i < 4; i++) {
+        if (interval_is_positive(positive[i])) {
+            join_paths(t, &t->path, (struct path) { true, i, i, 0 });
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Trees
+ * ----- */
+
+static struct tree make_tree(const struct characteristic *c, const struct certificate *certificate,
+                             bool (*shows)(struct tree *t, const struct leaf *l))
+{
+    bool of_jacobian = shows == jacobian_is_positive;
+    const struct trees *trees = of_jacobian ? &certificate->regularity : &certificate->boundary;
+    struct tree out = {
+        .c = c, .certificate = certificate, .g = c->block->v->g, .decide = shows,
+        .name = of_jacobian ? "regularity" : "boundary", .line = trees->line,
+        .next = trees->word, .end = trees->word + trees->size,
+        .elements = of_jacobian ? c->elements : c->segments,
+        .element = of_jacobian ? c->element : c->segment,
+        .functions = of_jacobian ? 2 : 1,
+        .f = { of_jacobian ? &c->first : &c->value, &c->second }
+    };
+
+    return out;
 }
 
 /* Checks the tree of an element of this kind and these patches, which is part of the
@@ -325,16 +349,18 @@ static void check_tree(struct tree *t, const struct patches *patches,
                        enum element_kind kind, int depth, const struct element *e)
 {
     struct mark mark = scratch_mark();
+    struct leaf leaf;
     char letter;
 
     if (t->next == t->end)
         rejected(t->certificate->file, t->line, "%s: the word is too short", t->name);
     letter = *t->next++;
     if (letter != '1') {
-        if (letter == '0')
-            check_leaf(t, patches, kind, depth, e);
-        else
-            check_coefficients(t, patches, kind, depth, e);
+        leaf = letter == '0' ? box_leaf(t, patches, kind) : coefficient_leaf(t, patches, kind);
+        if (!t->decide(t, &leaf))
+            rejected(t->certificate->file, t->line, "%s: a leaf of level %d in %s(%d,%d) is not "
+                     "decided%s", t->name, depth, element_form[e->kind].name, e->a, e->b,
+                     letter == '0' ? "" : " by coefficients");
         scratch_release(mark);
         return;
     }
@@ -351,88 +377,6 @@ static void check_tree(struct tree *t, const struct patches *patches,
     }
 }
 
-static void check_element(struct tree *t, const struct element *e)
-{
-    struct mark mark = scratch_mark();
-    struct patches patches = start_patches(t, e);
-
-    check_tree(t, &patches, e->kind, 0, e);
-    scratch_release(mark);
-}
-
-static void check_end(const struct tree *t)
-{
-    if (t->next != t->end)
-        rejected(t->certificate->file, t->line, "%s: the word is too long", t->name);
-}
-
-static void check_elements(struct tree *t, const struct element *element, int elements)
-{
-    for (int i = 0; i < elements; i++)
-        check_element(t, &element[i]);
-    check_end(t);
-}
-
-static struct tree regularity_tree(const struct characteristic *c,
-                                   const struct certificate *certificate)
-{
-    struct tree out = {
-        .c = c, .certificate = certificate,
-        .name = "regularity", .line = certificate->regularity.line,
-        .next = certificate->regularity.word,
-        .end = certificate->regularity.word + certificate->regularity.size,
-        .functions = 2, .f = { &c->first, &c->second },
-        .decide = jacobian_is_positive,
-        .decide_coefficients = jacobian_coefficients_are_positive
-    };
-
-    return out;
-}
-
-static struct tree boundary_tree(const struct characteristic *c,
-                                 const struct certificate *certificate)
-{
-    struct tree out = {
-        .c = c, .certificate = certificate,
-        .name = "boundary", .line = certificate->boundary.line,
-        .next = certificate->boundary.word,
-        .end = certificate->boundary.word + certificate->boundary.size,
-        .functions = 1, .f = { &c->value },
-        .decide = half_plane_contains,
-        .decide_coefficients = half_plane_contains_coefficients
-    };
-
-    return out;
-}
-
-void decide_regularity(const struct characteristic *c,
-                       const struct certificate *certificate)
-{
-    struct tree t = regularity_tree(c, certificate);
-
-    check_elements(&t, c->element, c->elements);
-}
-
-void decide_boundary(const struct characteristic *c,
-                     const struct certificate *certificate)
-{
-    struct tree t = boundary_tree(c, certificate);
-
-    check_elements(&t, c->segment, c->segments);
-}
-
-/* Refutations
- * ----------- */
-
-void decide_outer_curve(const struct characteristic *c,
-                        const struct certificate *certificate)
-{
-    struct tree t = boundary_tree(c, certificate);
-
-    t.decide = is_not_zero;
-    check_elements(&t, c->segment, c->segments);
-}
-
 static struct path reversed(struct path p)
 {
     return (struct path) { p.begun, p.last, p.first, -p.turns };
@@ -444,40 +388,53 @@ static bool winds_otherwise(int q, int64_t k)
     return k * (q - 2) >= 4 || k * (q + 2) <= 4;
 }
 
-/* The curve runs through elements G against the order of their leaves. */
-void decide_winding(const struct characteristic *c, const struct certificate *certificate)
+/* All trees; returns the path of the curve, if it is followed.  The curve runs through elements G
+ * against the order of their leaves. */
+static struct path check_trees(struct tree t)
 {
-    struct tree t = boundary_tree(c, certificate);
     struct path curve = { .begun = false };
-    int64_t k = c->block->v->k.first;
 
-    t.decide = follow;
-    for (int i = 0; i < c->segments; i++) {
+    for (int i = 0; i < t.elements; i++) {
+        const struct element *e = &t.element[i];
+        struct mark mark = scratch_mark();
+        struct patches patches = start_patches(&t, e);
+
         t.path = (struct path) { .begun = false };
-        check_element(&t, &c->segment[i]);
-        join_paths(&t, &curve, c->segment[i].kind == ELEMENT_G ? reversed(t.path) : t.path);
+        check_tree(&t, &patches, e->kind, 0, e);
+        if (t.path.begun)
+            join_paths(&t, &curve, e->kind == ELEMENT_G ? reversed(t.path) : t.path);
+        scratch_release(mark);
     }
-    check_end(&t);
-    if (!winds_otherwise(curve.turns, k))
-        rejected(certificate->file, t.line, "boundary: the curve may wind once (it makes %d "
-                 "quarters of a turn in a sector)", curve.turns);
+    if (t.next != t.end)
+        rejected(t.certificate->file, t.line, "%s: the word is too long", t.name);
+    return curve;
 }
 
+static void check_winding(const struct characteristic *c, const struct certificate *certificate)
+{
+    int turns = check_trees(make_tree(c, certificate, follow)).turns;
+
+    if (!winds_otherwise(turns, c->block->v->k.first))
+        rejected(certificate->file, certificate->boundary.line, "boundary: the curve may wind "
+                 "once (it makes %d quarters of a turn in a sector)", turns);
+}
+
+/* Witnesses
+ * --------- */
+
 /* The boxes on the descendant that the witness names. */
-static void find_witness(struct pair box[MAX_FUNCTIONS], const struct tree *t,
-                         const struct element *element, int elements,
-                         const struct witness *w)
+static struct leaf find_witness(const struct tree *t, const struct witness *w)
 {
     struct patches patches;
     enum element_kind kind;
 
-    if (w->element >= elements)
-        rejected(t->certificate->file, w->line, "witness: there are %d elements", elements);
+    if (w->element >= t->elements)
+        rejected(t->certificate->file, w->line, "witness: there are %d elements", t->elements);
     if (w->path_size > MAX_DEPTH)
         cannot_check_at(t->certificate->file, w->line, 0,
                         "witness: expected a depth of at most %d", MAX_DEPTH);
-    patches = start_patches(t, &element[w->element]);
-    kind = element[w->element].kind;
+    patches = start_patches(t, &t->element[w->element]);
+    kind = t->element[w->element].kind;
     for (size_t i = 0; i < w->path_size; i++) {
         int number = w->path[i] - '0';
 
@@ -486,45 +443,30 @@ static void find_witness(struct pair box[MAX_FUNCTIONS], const struct tree *t,
         patches = refine_patches(t, &patches, kind, &element_form[kind].child[number]);
         kind = element_form[kind].child[number].kind;
     }
-    for (int i = 0; i < t->functions; i++)
-        box[i] = patch_box(patches.of[i], t->f[i], kind, t->c->version_0);
+    return box_leaf(t, &patches, kind);
+}
+
+static void expect_witness(bool shows, const struct certificate *c, const struct witness *w)
+{
+    if (!shows)
+        rejected(c->file, w->line, "witness: it does not show what it should");
 }
 
 /* What t decides holds there. */
-static void check_witness(struct tree *t, const struct element *element,
-                          int elements, const struct witness *w)
+static void check_witness(struct tree t, const struct witness *w)
 {
-    struct mark mark = scratch_mark();
-    struct pair box[MAX_FUNCTIONS];
+    struct leaf leaf = find_witness(&t, w);
 
-    find_witness(box, t, element, elements, w);
-    if (!t->decide(t, box))
-        rejected(t->certificate->file, w->line, "witness: it does not show what it should");
-    scratch_release(mark);
-}
-
-void decide_not_zero(const struct characteristic *c, const struct certificate *certificate)
-{
-    struct tree t = boundary_tree(c, certificate);
-
-    t.decide = is_not_zero;
-    check_witness(&t, c->segment, c->segments, &certificate->witness[0]);
-}
-
-void decide_fold(const struct characteristic *c, const struct certificate *certificate)
-{
-    struct tree t = regularity_tree(c, certificate);
-
-    check_witness(&t, c->element, c->elements, &certificate->witness[0]);
-    t.decide = jacobian_is_negative;
-    check_witness(&t, c->element, c->elements, &certificate->witness[1]);
+    expect_witness(t.decide(&t, &leaf), t.certificate, w);
 }
 
 /* Is one of the four determinants of a part of c and a part of d not 0? */
-static bool is_independent(const struct pair c[2], const struct pair d[2], int g)
+static bool is_independent(const struct leaf *c, const struct leaf *d, int g)
 {
-    const struct affine of_c[2][2] = { { c[0].x, c[1].x }, { c[0].y, c[1].y } };
-    const struct affine of_d[2][2] = { { d[0].x, d[1].x }, { d[0].y, d[1].y } };
+    const struct affine of_c[2][2] = { { c->value[0]->x, c->value[1]->x },
+                                       { c->value[0]->y, c->value[1]->y } };
+    const struct affine of_d[2][2] = { { d->value[0]->x, d->value[1]->x },
+                                       { d->value[0]->y, d->value[1]->y } };
 
     for (int i = 0; i < 2; i++) {
         for (int j = 0; j < 2; j++) {
@@ -541,12 +483,39 @@ static bool is_independent(const struct pair c[2], const struct pair d[2], int g
 void decide_independent(const struct characteristic *c, const struct characteristic *d,
                         const struct certificate *certificate)
 {
-    struct tree t = regularity_tree(c, certificate), of_d = regularity_tree(d, certificate);
-    struct pair box[2][MAX_FUNCTIONS];
+    struct tree t = make_tree(c, certificate, jacobian_is_positive);
+    struct tree u = make_tree(d, certificate, jacobian_is_positive);
     const struct witness *w = &certificate->witness[0];
+    struct leaf of_c = find_witness(&t, w), of_d = find_witness(&u, w);
 
-    find_witness(box[0], &t, c->element, c->elements, w);
-    find_witness(box[1], &of_d, d->element, d->elements, w);
-    if (!is_independent(box[0], box[1], c->block->v->g))
-        rejected(certificate->file, w->line, "witness: it does not show what it should");
+    expect_witness(is_independent(&of_c, &of_d, t.g), certificate, w);
+}
+
+/* All of it
+ * --------- */
+
+void decide_claim(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree jacobian = make_tree(c, certificate, jacobian_is_positive);
+
+    switch (certificate->reason) {
+    case REASON_NONE:
+        check_trees(jacobian);
+        check_trees(make_tree(c, certificate, half_plane_contains));
+        break;
+    case REASON_FREQUENCY:
+    case REASON_JORDAN:
+        check_trees(make_tree(c, certificate, is_not_zero));
+        break;
+    case REASON_WINDING:
+        check_winding(c, certificate);
+        break;
+    case REASON_FOLD:
+        check_witness(jacobian, &certificate->witness[0]);
+        jacobian.decide = jacobian_is_negative;
+        check_witness(jacobian, &certificate->witness[1]);
+        break;
+    default:                                       /* a function that is not 0 */
+        check_witness(make_tree(c, certificate, is_not_zero), &certificate->witness[0]);
+    }
 }

@@ -3,7 +3,7 @@
 
 #include "exact_formula.h"
 
-enum { MAX_EXPONENT = 16384 };                     /* as in value.c */
+enum { MAX_EXACT_EXPONENT = 16384 };               /* as in value.c */
 
 /* Sums and products, from the left. */
 static bool chain_value(void *out, const struct node *f, const struct environment *e,
@@ -126,7 +126,7 @@ static bool apply_to_numbers(void *a, char operation, void *b, const void *field
 bool exact_value(struct number *out, const struct node *f, const struct environment *e,
                  const struct field *k)
 {
-    const struct ring ring = { sizeof *out, MAX_EXPONENT, k, simple_number, set_number,
+    const struct ring ring = { sizeof *out, MAX_EXACT_EXPONENT, k, simple_number, set_number,
                                apply_to_numbers };
 
     return ring_value(out, f, e, &ring);

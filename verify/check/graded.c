@@ -320,6 +320,6 @@ interval graded_prove(const struct block *block, const struct mask q[3],
         extend(s, characteristic->rings);
     net = scaled_net(s, characteristic);
     characteristic_use(characteristic, &net);
-    decide_not_zero(characteristic, c);
+    decide_claim(characteristic, c);
     return interval_abs(affine_range(s->l));
 }

@@ -120,22 +120,16 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
     return true;
 }
 
-bool laurent_evaluate(struct laurent *out, const struct node *f, const struct environment *e)
-{
-    const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
-
-    return ring_value(out, f, e, &ring);
-}
-
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)
 {
+    const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
     struct laurent *rest = &out[rule->rest];
 
     *rest = constant(rational_from(1, 1));
     for (int i = 0; i < rule->count; i++) {
         if (i == rule->rest)
             continue;
-        if (!laurent_evaluate(&out[i], rule->source[i].weight, e))
+        if (!ring_value(&out[i], rule->source[i].weight, e, &ring))
             return false;
         subtract(rest, &out[i]);
     }

@@ -5,7 +5,6 @@
 
 #include "affine.h"
 #include "scheme.h"
-#include "value.h"
 
 enum { LAURENT_DEGREE = 64 };
 
@@ -14,11 +13,8 @@ struct laurent {
     rational c[2 * LAURENT_DEGREE + 1];
 };
 
-/* The Laurent value of a formula; false if it has none. */
-bool laurent_evaluate(struct laurent *out, const struct node *formula,
-                      const struct environment *e);
-
-/* Those of the weights of a rule for the centre, one for each source; false if one has none. */
+/* The Laurent values of the weights of a rule for the centre, one for each source; false if one
+ * has none. */
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e);
 
 void laurent_add(struct laurent *a, const struct laurent *b);

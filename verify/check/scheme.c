@@ -361,6 +361,7 @@ static void read_rule(struct rule *out, struct reader *r)
         cursor_error(&place, "a dual mesh has no point in its centre");
     if (!out->centre)
         read_sector_point(&out->a, &out->b, &c, scheme->mesh);
+    place = c;
     if (cursor_accept_word(&c, "when"))
         out->condition = condition_read(&c, &scheme->language, MEANS_K);
     cursor_expect_end(&c);

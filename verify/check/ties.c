@@ -269,10 +269,7 @@ static void decide_line(const struct proof *p, const struct exact_line *l, int w
     *own = *p->c;
     own->witness[0] = p->c->witness[witness];
     characteristic_prepare(characteristic, block, &pair, p->q, own);
-    if (p->c->reason == REASON_JORDAN)
-        decide_outer_curve(characteristic, own);
-    else
-        decide_not_zero(characteristic, own);
+    decide_claim(characteristic, own);
 }
 
 /* The claims: section 8

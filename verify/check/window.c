@@ -22,7 +22,7 @@ static interval prove_wave(const struct valence *v, int64_t q, const struct rise
     pair.s = s;
     spectrum_prove_rest(&pair, &wave->record, "wave", c);
     characteristic_prepare(&characteristic, &block, &pair, masks, &own);
-    decide_outer_curve(&characteristic, &own);
+    decide_claim(&characteristic, &own);
     return interval_abs(affine_range(pair.real));
 }
 
