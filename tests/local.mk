@@ -278,8 +278,8 @@ mutate-constants:
 	@CC='$(CC)' CFLAGS=-O1 ORACLES='-DHAVE_CONFIG_H -I$(abs_builddir) $(ORACLE_LIBS)' \
 	  $(SHELL) $(srcdir)/tests/bigfloat/mutate-constants $(srcdir)
 
-# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers; SMOOTHCERT_SEED
-# chooses others.
+# MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers (SANITIZE; empty: without
+# them, some times as fast); SMOOTHCERT_SEED chooses others.
 MUTANTS = 100
 SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 .PHONY: mutate
@@ -291,7 +291,8 @@ mutate: all tests/certificates/t-mutate
 	  $(abs_builddir)/tests/certificates/t-mutate
 
 # Does the corpus notice when a check of the checker is left out?  DISABLE="FILE:LINE ..." tries only these.
-EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors
+EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors \
+  tests/check/left-out.awk tests/check/left-out.c tests/check/left-out.h
 .PHONY: disable-checks
 disable-checks: all
 	@CC='$(CC)' SRCDIR=$(abs_srcdir) BUILDDIR=$(abs_builddir) \

@@ -5,7 +5,7 @@
 #   calls of the functions named, which become nothing;
 #   `return false;', which becomes nothing, or true at the end of a function;
 #   what a function of type bool returns, each part of a conjunction by itself, which becomes true.
-# The sources are formatted by one program: definitions begin their lines, and end with a brace that does.
+# The text of `return false;' has the line before it, of the condition.  The sources are formatted by one program: definitions begin their lines, and end with a brace that does.
 
 BEGIN {
     count = split(calls, call, " ")
@@ -72,12 +72,13 @@ function continue_statement(   next_line) {
 /^[a-z].*\(/ { is_bool = /^(static )?bool [a-z]/ }
 /^ *(\*|\/\*|\/\/)/ { print; next }
 /^    return false;$/ { # of no condition: the end
-    print "    return left_out(" note($0) ");"
+    print "    return left_out(" note("end: " $0) ");"
     next
 }
 /^ +return false;$/ {
-    sub(/return false;/, "{ if (!left_out(" note($0) ")) return false; }")
+    sub(/return false;/, "{ if (!left_out(" note(previous $0) ")) return false; }")
     print
+    previous = ""
     next
 }
 is_bool && /^ +return / && !/^ +return (true|false);/ {
@@ -94,4 +95,7 @@ is_bool && /^ +return / && !/^ +return (true|false);/ {
     print before "unless_left_out(" waiting ", " name ", " after
     next
 }
-{ print }
+{
+    print
+    previous = $0
+}

@@ -206,6 +206,9 @@ mask case-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^c
 mask name-no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - w,
 /^mask/i\
 let w = 7/4*abs(1/k)'
+mask parameter-interval 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,& + 0*w,
+/^mask/i\
+parameter w = [0, 1]'
 mask no-polynomial 1 'limit: a weight of the centre is no polynomial' 's,^centre 1 - 7/4/k,centre 1 - 7/4*abs(1/k),'
 mask weight-for-each-sector 1 'a weight for each sector is for single valences only' '/^claim/i\
 rule (1,1)\
@@ -429,6 +432,9 @@ folder overlap-inside 1 'both .* are about valence 30$' 20..30 "$b" "$singles/lo
 folder overlap-endless 1 'both .* are about valence 1000$' 31..inf "$c" "$singles/loop-1000.cert"
 folder part 1 'loop-20-30.cert is about the valences 20..30, of which only a part is claimed' 20..25 "$b"
 folder part-of-endless 1 'of which only a part is claimed' 20..40 "$b" "$c"
+echo 'no certificate' >README
+cp README .cert
+folder other-files 0 '^verified: loop is C1 at valences 31..inf' 20..inf "$b" "$c" README .cert
 claim file-of-several-ranges 2 'one certificate' "$catalogue/loop.scheme" 9..10,20 "$a"
 claim file-of-another-range 1 'valence: expected 9..11' "$catalogue/loop.scheme" 9..11 "$a"
 

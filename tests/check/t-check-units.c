@@ -431,6 +431,7 @@ static void test_grid_small(void)
                     EXPECT(is_interval(z, lo, hi));
 
                     EXPECT(interval_contains_zero(y) == (c <= 0 && d >= 0));
+                    EXPECT(interval_is_zero(y) == (c == 0 && d == 0));
                     if (c > 0 || d < 0) {
                         for (int i = 0; i < 4; i++) {
                             int64_t n = 4 * x_end[i], m = y_end[i];
