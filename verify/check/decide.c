@@ -232,7 +232,8 @@ static struct affine determinant(const struct pair *v, const struct pair *w, int
     return affine_sub(affine_mul(v->x, w->y, g), affine_mul(v->y, w->x, g));
 }
 
-/* det(d1, d2) > 0 for the boxes; or for all coefficients, the sums of d1_i and d2_j with i j = g. */
+/* det(d1, d2) > 0 for the boxes; or for all coefficients, the sums of d1_i and d2_j with
+ * i j = g. */
 static bool jacobian_is_positive(struct tree *t, const struct leaf *l)
 {
     const struct basis *p = l->basis[0], *q = l->basis[1];

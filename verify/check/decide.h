@@ -5,8 +5,8 @@
 
 #include "characteristic.h"
 
-/* Proves by the trees or witnesses of the certificate what its claim needs of the function, or what its
- * reason does; else rejects. */
+/* Proves by the trees or witnesses of the certificate what its claim, or its reason, needs of
+ * the function; else rejects. */
 void decide_claim(const struct characteristic *c, const struct certificate *certificate);
 
 /* The witness of `real`: a place where the derivatives of two functions, each a part of c's or of

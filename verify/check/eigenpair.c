@@ -1,6 +1,6 @@
 /* Eigenpairs: section 6 of certificate.md; of several valences section 3 of
- * certificate-valences.md, where, with M = c + d t, the pair (x0, l0) of c and the pair (x, l) of M,
- * the unknowns z of x = x0 + s t, l = l0 + lambda t solve a linear system G z = r, and Y G = 1 - E. */
+ * certificate-valences.md, where, with M = c + d t, the pair (x0, l0) of c and the pair (x, l) of
+ * M, the unknowns z of x = x0 + s t, l = l0 + lambda t solve G z = r, and Y G = 1 - E. */
 
 #include "eigenpair.h"
 

@@ -190,8 +190,8 @@ struct subspace {
     int pivot[2];
 };
 
-/* What the first rows and columns of a matrix, `size` of its `full` ones, do modulo the subspace passes:
- * M'_ij = M_ij - v_i M_pj - w_i M_qj, i and j other than p and q. */
+/* What the first rows and columns of a matrix, `size` of its `full` ones, do modulo the subspace
+ * passes: M'_ij = M_ij - v_i M_pj - w_i M_qj, i and j other than p and q. */
 static void prove_modulo(const struct affine *m, int full, int size, const struct subspace *space,
                          interval s, const struct block_record *record, const char *name,
                          const struct certificate *c)
@@ -276,5 +276,6 @@ void spectrum_prove_rest(const struct eigenpair *pair, const struct block_record
         space = real_plane(pair, c);
     else if (!c->real)
         space = complex_line(pair, c);
-    prove_modulo(pair->matrix, c->size, of_reals ? c->n : c->size, &space, pair->s, record, name, c);
+    prove_modulo(pair->matrix, c->size, of_reals ? c->n : c->size, &space, pair->s, record, name,
+                 c);
 }

@@ -33,8 +33,8 @@ void spectrum_prove_small(interval *matrix, int size, int g, interval s,
 void spectrum_prove_block(const struct block *block, interval s, const struct block_record *record,
                           const char *name, const struct certificate *certificate);
 
-/* The same for all eigenvalues of the pair's matrix but L (and conj L, of a real block in the complex
- * form), with the pair's s; the certificate is about that pair. */
+/* The same for all eigenvalues of the pair's matrix but L (and conj L, of a real block in the
+ * complex form), with the pair's s; the certificate is about that pair. */
 void spectrum_prove_rest(const struct eigenpair *pair, const struct block_record *record,
                          const char *name, const struct certificate *certificate);
 

@@ -11,8 +11,8 @@
 /* Block m, over all valences of v (m < 0: any other one but 0). */
 void valences_prepare_block(struct block *out, const struct valence *v, int64_t m);
 
-/* Proves that all eigenvalues but 1 and that of the pair, of the certificate's frequency, are smaller
- * than it in modulus; else rejects. */
+/* Proves that all eigenvalues but 1 and that of the pair, of the certificate's frequency, are
+ * smaller than it in modulus; else rejects. */
 void valences_prove_rest(const struct valence *v, const struct eigenpair *pair,
                          const struct certificate *certificate);
 
