@@ -86,7 +86,10 @@ void field_make(struct field *out, int n)
 
 void number_keep(struct mark mark, struct number *numbers, size_t count)
 {
-    integer_keep(mark, &numbers->den, count * (sizeof *numbers / sizeof numbers->den));
+    enum { PARTS = MAX_DEGREE + 1 };
+
+    _Static_assert(sizeof *numbers == PARTS * sizeof(integer), "a number is integers only");
+    integer_keep(mark, (integer *)numbers, PARTS * count);
 }
 
 /* In lowest terms. */

@@ -164,11 +164,32 @@ static void reflect(enum mesh mesh, int *a, int *b)
     *b = x;
 }
 
+/* The k of `when k = NUMBER', else 0. */
+static int64_t only_valence(const struct rule *rule)
+{
+    const struct node *f = rule->condition != NULL ? rule->condition->first : NULL;
+    int64_t k;
+
+    if (f == NULL || f->next != NULL || f->first->kind != NODE_K ||
+        f->first->next->join != '=' || f->first->next->kind != NODE_NUMBER ||
+        !rational_is_whole(f->first->next->number) ||
+        !integer_get_small(&k, f->first->next->number.num, 1000000000))
+        return 0;
+    return k;
+}
+
+static bool same_sector(const struct rule *rule, int s, int t)
+{
+    int64_t k = only_valence(rule);
+
+    return k > 0 ? (s - t) % k == 0 : s == t;
+}
+
 /* Is t, of the image of a rule, the image of s? */
-static bool is_image(const struct source *s, const struct source *t, bool rule_on_spoke,
+static bool is_image(const struct source *s, const struct source *t, const struct rule *rule,
                      enum mesh mesh, const struct language *l)
 {
-    bool spoke = on_spoke(mesh, s->b);
+    bool spoke = on_spoke(mesh, s->b), rule_on_spoke = on_spoke(mesh, rule->b);
     int a = s->a, b = s->b, sectors = -s->sectors;
 
     if (spoke && !rule_on_spoke)
@@ -184,7 +205,7 @@ static bool is_image(const struct source *s, const struct source *t, bool rule_o
     case SOURCE_ALL:
         return t->a == a && t->b == b;
     case SOURCE_ONE:
-        return t->a == a && t->b == b && t->sectors == sectors;
+        return t->a == a && t->b == b && same_sector(rule, t->sectors, sectors);
     case SOURCE_EACH:
         return t->a == a && t->b == b && spoke == rule_on_spoke && is_even(s->weight, l);
     default:
@@ -197,7 +218,7 @@ static bool is_image(const struct source *s, const struct source *t, bool rule_o
 static bool are_images(const struct rule *rule, const struct rule *other, enum mesh mesh,
                        const struct language *l)
 {
-    bool used[MAX_SOURCES] = { false }, spoke = on_spoke(mesh, rule->b);
+    bool used[MAX_SOURCES] = { false };
 
     if (rule->count != other->count)
         return false;
@@ -205,7 +226,7 @@ static bool are_images(const struct rule *rule, const struct rule *other, enum m
         int n = 0;
 
         while (n < other->count &&
-               (used[n] || !is_image(&rule->source[i], &other->source[n], spoke, mesh, l)))
+               (used[n] || !is_image(&rule->source[i], &other->source[n], rule, mesh, l)))
             n++;
         if (n == other->count)
             return false;
