@@ -18,10 +18,10 @@ bool arc_set_units(arc *z, int64_t low, int64_t high)
     return rational_set_si(&z->low, low, (int64_t)1 << ARC_BITS) && rational_set_si(&z->high, high, (int64_t)1 << ARC_BITS);
 }
 
-bool arc_set_valences(arc *z, valence_range k)
+bool arc_set_frequency(arc *z, long m, valence_range k)
 {
-    bool ok = k.last == VALENCES_UNBOUNDED ? rational_set_si(&z->low, 0, 1) : rational_set_si(&z->low, 1, k.last);
-    return ok && rational_set_si(&z->high, 1, k.first);
+    bool ok = k.last == VALENCES_UNBOUNDED ? rational_set_si(&z->low, 0, 1) : rational_set_si(&z->low, m, k.last);
+    return ok && rational_set_si(&z->high, m, k.first);
 }
 
 /* floor(m 2^48 / k) for 0 <= m < k, digit by digit; *rest: is it less than the quotient? */

@@ -17,8 +17,9 @@ void arc_clear(arc *z);
 
 /* From low to high, in units of 2^-ARC_BITS; 0 <= low <= high <= ARC_HALF. */
 BIGFLOAT_MUST_USE bool arc_set_units(arc *z, int64_t low, int64_t high);
-/* From 1/k2 to 1/k1: of frequency 1. */
-BIGFLOAT_MUST_USE bool arc_set_valences(arc *z, valence_range k);
+/* From m/k2 to m/k1, for a frequency m, 2 m <= k1. */
+BIGFLOAT_MUST_USE bool arc_set_frequency(arc *z, long m, valence_range k);
+static inline bool arc_set_valences(arc *z, valence_range k) { return arc_set_frequency(z, 1, k); }
 
 /* floor(m 2^ARC_BITS / k) and ceil(m 2^ARC_BITS / k), at most ARC_HALF: the ends of m/k.  m or k may be unbounded: 0 for an
    unbounded k, else ARC_HALF for an unbounded m. */

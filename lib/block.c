@@ -61,11 +61,16 @@ void block_net(sector_net *net, const block *z, const number *values, const numb
         switch (p->kind) {
         case UNKNOWN_CENTRE:
             number_set(&net->centre, &values[i]);
+            if (imaginary)
+                number_set(&net->centre_y, &imaginary[i]);
             break;
         case UNKNOWN_PLAIN:
         case UNKNOWN_SPOKE:
             number_set(&net->x[at], &values[i]);
-            number_zero(&net->y[at]);
+            if (imaginary)
+                number_set(&net->y[at], &imaginary[i]);
+            else
+                number_zero(&net->y[at]);
             break;
         case UNKNOWN_BISECTOR:
             number_mul(&net->x[at], &net->twist->u, &values[i], prec);

@@ -56,7 +56,7 @@ static inline bool block_is_planar(const block *z) { return is_one_valence(z->k)
 block_status block_from_subdivide(subdivide_status s);
 
 /* Writes the net with the given unknowns into the rings of `net` that the block has; net->twist must be the block's
-   (NULL for m = 0).  imaginary is NULL unless in complex form. */
+   (NULL for m = 0).  imaginary is NULL unless in complex form, or for m = 0 if values are complex. */
 void block_net(sector_net *net, const block *z, const number *values, const number *imaginary, long prec);
 
 #endif

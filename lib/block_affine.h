@@ -14,6 +14,7 @@
 #else
 
 #define block_make_over NUMBER_NAME(block_make_over)
+#define block_without_constants NUMBER_NAME(block_without_constants)
 #define affine_cosine NUMBER_NAME(affine_cosine)
 
 /* u = cos(pi r) = c + d t for every r of the arc and some t: the middle and the radius of the hull of both ends, thin both.
@@ -23,6 +24,10 @@ bool affine_cosine(affine *u, const arc *r, long prec);
 /* The block in the real form, for u over the arc and all valences of `numbers`; only for mirror-symmetric schemes, m.first >= 1.
    Sets the frequency of `numbers`.  On any status block_free. */
 block_status block_make_over(block *z, scheme_numbers *numbers, frequencies m, const arc *r, diagnostic *d);
+
+/* A new matrix of order b->n - 1: what is left of block 0 beside the eigenvalue 1 of the constant net, the first unknown being
+   removed.  NULL: no memory. */
+affine *block_without_constants(const block *b, long prec);
 
 #endif
 

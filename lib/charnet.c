@@ -14,51 +14,39 @@ static void copy_point(sector_net *to, const sector_net *from, int a, int b)
     number_set(&to->y[sector_index(to, a, b)], &from->y[sector_index(from, a, b)]);
 }
 
-/* What S V is divided by: a real eigenvalue, or a complex one and the square of its modulus. */
-typedef struct {
-    const number *re, *im; /* im NULL: real form */
-    number square;
-} divisor;
-
-static void divisor_init(divisor *z, const block *b, const number *box, long prec)
+/* (x + i y) / (re + i im) = ((x re + y im) + i (y re - x im)) / (re^2 + im^2). */
+void charnet_divide(number *x, number *y, const number *re, const number *im, long prec)
 {
-    number_init(&z->square);
-    z->re = &box[b->imaginary ? 2 * b->n : b->n];
-    z->im = b->imaginary ? z->re + 1 : NULL;
-    if (z->im) {
-        number_sqr(&z->square, z->re, prec);
-        number_addmul(&z->square, z->im, z->im, prec);
-    }
-}
-
-/* (x + i y) / (re + i im) = ((x re + y im) + i (y re - x im)) / (re^2 + im^2); in real form both parts over re. */
-static void divide(number *x, number *y, const divisor *d, long prec)
-{
-    number p, q;
-    if (!d->im) {
-        number_div(x, x, d->re, prec);
-        number_div(y, y, d->re, prec);
+    number p, q, square;
+    if (!im) {
+        number_div(x, x, re, prec);
+        number_div(y, y, re, prec);
         return;
     }
     number_init(&p);
     number_init(&q);
-    number_mul(&p, x, d->re, prec);
-    number_addmul(&p, y, d->im, prec);
-    number_mul(&q, y, d->re, prec);
-    number_submul(&q, x, d->im, prec);
-    number_div(x, &p, &d->square, prec);
-    number_div(y, &q, &d->square, prec);
+    number_init(&square);
+    number_mul(&square, re, re, prec);
+    number_addmul(&square, im, im, prec);
+    number_mul(&p, x, re, prec);
+    number_addmul(&p, y, im, prec);
+    number_mul(&q, y, re, prec);
+    number_submul(&q, x, im, prec);
+    number_div(x, &p, &square, prec);
+    number_div(y, &q, &square, prec);
     number_clear(&p);
     number_clear(&q);
+    number_clear(&square);
 }
 
-/* wide = the rings 1..known of net, and beyond them, up to `upto`, S net / eigenvalue. */
-static block_status extend(sector_net *wide, const sector_net *net, int known, int upto, const divisor *eigenvalue, const scheme_numbers *numbers)
+/* wide = the rings 1..known of net, and beyond them, up to `upto`, S net / (re + i im). */
+static block_status extend(sector_net *wide, const sector_net *net, int known, int upto, const number *re, const number *im, const scheme_numbers *numbers)
 {
     subdivide_status s = scheme_subdivide(wide, net, numbers, upto);
     if (s != SUBDIVIDE_OK)
         return block_from_subdivide(s);
     number_set(&wide->centre, &net->centre);
+    number_set(&wide->centre_y, &net->centre_y);
     for (int a = 1; a <= upto; a++)
         for (int b = 0; b <= upto; b++) {
             number *x = &wide->x[sector_index(wide, a, b)], *y = &wide->y[sector_index(wide, a, b)];
@@ -67,7 +55,7 @@ static block_status extend(sector_net *wide, const sector_net *net, int known, i
             if (mesh_ring(net->mesh, a, b) <= known)
                 copy_point(wide, net, a, b);
             else
-                divide(x, y, eigenvalue, numbers->prec);
+                charnet_divide(x, y, re, im, numbers->prec);
             if (number_lacks_memory(x) || number_lacks_memory(y))
                 return BLOCK_NO_MEMORY;
         }
@@ -84,24 +72,22 @@ static int reachable(const scheme *s, int known, int wanted)
     return upto;
 }
 
-block_status charnet_make(sector_net *net, const block *b, const number *box, const scheme_numbers *numbers, int rings)
+block_status charnet_make(sector_net *net, const block *b, const number *box, bool is_complex, const scheme_numbers *numbers, int rings)
 {
+    const number *eigenvalue = &box[is_complex ? 2 * b->n : b->n];
     block_status s = BLOCK_OK;
     int known = b->rings;
-    divisor eigenvalue;
     if (!sector_net_make(net, b->mesh, block_is_planar(b), known, b->m ? &b->twist : NULL))
         return BLOCK_NO_MEMORY;
-    block_net(net, b, box, b->imaginary ? &box[b->n] : NULL, numbers->prec);
-    divisor_init(&eigenvalue, b, box, numbers->prec);
+    block_net(net, b, box, is_complex ? &box[b->n] : NULL, numbers->prec);
     while (s == BLOCK_OK && known < rings) {
         int upto = reachable(numbers->scheme, known, rings);
         sector_net wide;
-        s = extend(&wide, net, known, upto, &eigenvalue, numbers);
+        s = extend(&wide, net, known, upto, eigenvalue, is_complex ? eigenvalue + 1 : NULL, numbers);
         sector_net_free(net);
         *net = wide;
         known = upto;
     }
-    number_clear(&eigenvalue.square);
     return s;
 }
 

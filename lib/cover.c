@@ -24,7 +24,7 @@ static box_answer prove_range(scheme_numbers *numbers, frequencies m, const numb
 {
     box_answer z = {BLOCK_OK, {TRUTH_UNKNOWN, 0, false, INFINITY}};
     block b;
-    z.status = block_make_range(&b, numbers, m, numbers->scheme->mirror_symmetric, d);
+    z.status = block_make_range(&b, numbers, m, numbers->scheme->mirror_symmetric && !numbers->complex_form, d);
     if (z.status == BLOCK_OK && !b.imaginary) {
         z.answer = contract(b.entry, scale, b.n, least, limit, sharpen, numbers->prec);
     } else if (z.status == BLOCK_OK) {

@@ -160,17 +160,40 @@ static bool list_eigenvalues(double complex *eigenvalue, double complex *work, i
     return true;
 }
 
-/* The eigenvalue that alone has the largest modulus; 0: there is none. */
-static double complex find_dominant(const double complex *eigenvalue, int h)
+/* Eigenvalues of a pair are farther from the real axis than this share of them. */
+#define NOT_REAL 0x1p-20
+
+/* Is the matrix (A, 0; 0, A)? */
+static bool is_doubled(const double *b, int h)
+{
+    for (int i = 0; i < h; i++)
+        for (int j = 0; j < h; j++)
+            if (b[i * 2 * h + j + h] != 0)
+                return false;
+    return true;
+}
+
+/* Are they conjugates of each other, and not real? */
+static bool are_conjugate(double complex x, double complex y)
+{
+    double near = cabs(x) * NOT_REAL;
+    return fabs(cimag(x)) > near && cabs(x - conj(y)) < near;
+}
+
+/* The eigenvalue that alone has the largest modulus; of a real matrix also one of a pair that has it, that with the positive
+   imaginary part.  0: there is none. */
+static double complex find_dominant(const double complex *eigenvalue, int h, bool real)
 {
     int best = 0;
     for (int i = 1; i < h; i++)
         if (cabs(eigenvalue[i]) > cabs(eigenvalue[best]))
             best = i;
-    for (int i = 0; i < h; i++)
-        if (i != best && cabs(eigenvalue[i]) >= cabs(eigenvalue[best]) * (1 - TIED))
+    for (int i = 0; i < h; i++) {
+        bool tied = i != best && cabs(eigenvalue[i]) >= cabs(eigenvalue[best]) * (1 - TIED);
+        if (tied && !(real && are_conjugate(eigenvalue[best], eigenvalue[i])))
             return 0;
-    return eigenvalue[best];
+    }
+    return real && cimag(eigenvalue[best]) < 0 ? conj(eigenvalue[best]) : eigenvalue[best];
 }
 
 /* Scales x by a complex number so that its largest component is 1; false if it is 0 or not finite. */
@@ -225,7 +248,7 @@ truth eigen_dominant_complex_approx(double *re, double *im, double *x, int *pivo
     truth found = TRUTH_FALSE;
     if (work && many && cluster) {
         bool ok = list_eigenvalues(many, many + h, cluster, b, h);
-        eigenvalue = ok ? find_dominant(many, h) : 0;
+        eigenvalue = ok ? find_dominant(many, h, is_doubled(b, h)) : 0;
         ok = eigenvalue != 0;
         for (int i = 0; i < n; i++)
             x[i] = 1 + 0.37 * i / n; /* a vector in no special position */

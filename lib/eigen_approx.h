@@ -12,7 +12,8 @@
 truth eigen_dominant_approx(double *eigenvalue, double *x, int *pivot, const double *b, int n);
 
 /* The same for the complex matrix of order n/2 that the n x n matrix b = (R, -I; I, R) stands for: an eigenvalue that alone
-   has the largest modulus, and its eigenvector (real parts, then imaginary ones), whose component *pivot is 1. */
+   has the largest modulus, and its eigenvector (real parts, then imaginary ones), whose component *pivot is 1.  If I = 0 its
+   conjugate may have it, too, and *im >= 0. */
 truth eigen_dominant_complex_approx(double *re, double *im, double *x, int *pivot, const double *b, int n);
 
 /* About the largest modulus of an eigenvalue of b (0 for n = 0).  NAN: no memory. */

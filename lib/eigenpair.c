@@ -439,22 +439,21 @@ static bool enlarge(integer *x)
 }
 
 /* The image of a box that is too small says how large it has to be at least. */
-static truth grow_range(workspace *w, eigenpair_choice *z, number *box, long prec)
+static truth grow(integer *size, workspace *w, const eigenpair_choice *z, number *box, long prec)
 {
     truth proved = TRUTH_UNKNOWN;
-    if (!integer_set(&z->range, &z->radius))
-        return TRUTH_FALSE;
-    while (proved == TRUTH_UNKNOWN && (long)integer_bits(&z->range) < z->grid) {
-        if (!enlarge(&z->range))
+    while (proved == TRUTH_UNKNOWN && (long)integer_bits(size) < z->grid) {
+        if (!enlarge(size))
             return TRUTH_FALSE;
-        proved = prove_loaded(box, w, z, &z->range, prec);
-        if (proved == TRUTH_UNKNOWN && !image_size(&z->range, w, z->grid, prec))
+        proved = prove_loaded(box, w, z, size, prec);
+        if (proved == TRUTH_UNKNOWN && !image_size(size, w, z->grid, prec))
             return number_lacks_memory(&w->image[0]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
     }
     return proved;
 }
 
-truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
+/* size, the radius or the range of z, grows. */
+static truth choose_size(integer *size, eigenpair_choice *z, const number *b, long prec)
 {
     workspace w;
     number *box = number_array_new(eigenpair_box_size(z->n, z->complex_form));
@@ -463,11 +462,22 @@ truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
         load(&w, z, prec);
         found = all_are_finite(b, (size_t)z->n * (size_t)z->n);
         if (found == TRUTH_TRUE)
-            found = grow_range(&w, z, box, prec);
+            found = grow(size, &w, z, box, prec);
     }
     workspace_free(&w);
     free_numbers(box, eigenpair_box_size(z->n, z->complex_form));
     return found;
+}
+
+truth eigenpair_choose_radius(eigenpair_choice *z, const number *b, long prec)
+{
+    integer_set_si(&z->radius, 1);
+    return choose_size(&z->radius, z, b, prec);
+}
+
+truth eigenpair_choose_range(eigenpair_choice *z, const number *b, long prec)
+{
+    return integer_set(&z->range, &z->radius) ? choose_size(&z->range, z, b, prec) : TRUTH_FALSE;
 }
 
 void eigenpair_modulus(number *z, const number *box, int n, bool complex_form, long prec)

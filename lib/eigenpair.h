@@ -19,13 +19,14 @@
 #include "eigenpair_choice.h"
 
 #define eigenpair_choose NUMBER_NAME(eigenpair_choose)
+#define eigenpair_choose_radius NUMBER_NAME(eigenpair_choose_radius)
 #define eigenpair_choose_range NUMBER_NAME(eigenpair_choose_range)
 #define eigenpair_prove NUMBER_NAME(eigenpair_prove)
 #define eigenpair_prove_range NUMBER_NAME(eigenpair_prove_range)
 #define eigenpair_modulus NUMBER_NAME(eigenpair_modulus)
 
 /* Looks for the dominant eigenpair (largest modulus) of the n x n matrix b and for a box round it that eigenpair_prove
-   accepts, both on the grid 2^-g.
+   accepts, both on the grid 2^-g.  In complex form, of a real matrix R (I = 0), it may be one of a pair.
    TRUTH_UNKNOWN: not found, or more than one eigenvalue seems to have the largest modulus.  TRUTH_FALSE: no memory. */
 truth eigenpair_choose(eigenpair_choice *z, const number *b, int n, bool complex_form, long g, long prec);
 
@@ -40,6 +41,10 @@ truth eigenpair_prove(number *box, const eigenpair_choice *choice, const number 
 
 /* The same with the radius choice->range. */
 truth eigenpair_prove_range(number *box, const eigenpair_choice *choice, const number *b, long prec);
+
+/* Where eigenpair_choose has found approximations and no radius, for b is wide: looks for a radius in smaller steps.  The answers
+   are the same. */
+truth eigenpair_choose_radius(eigenpair_choice *z, const number *b, long prec);
 
 /* Looks for a z->range, not much larger than need be and z->radius at least, with which eigenpair_prove_range accepts b, a
    wider matrix than the choice was made for.  The answers are those of eigenpair_choose. */

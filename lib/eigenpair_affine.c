@@ -4,6 +4,8 @@
 #include "eigenpair.h"
 #include "eigenpair_slope.h"
 
+#include <math.h>
+
 /* The parts of an affine matrix, n x n each. */
 typedef struct {
     size_t size;
@@ -39,6 +41,8 @@ truth eigenpair_affine_choose(eigenpair_choice *z, const affine *b, int n, long 
     truth found = TRUTH_FALSE;
     if (take_apart(&p, b, n, prec))
         found = eigenpair_choose(z, p.centre, n, false, g, prec);
+    if (found == TRUTH_UNKNOWN)
+        found = eigenpair_choose_radius(z, p.centre, prec);
     if (found == TRUTH_TRUE)
         found = eigenpair_choose_range(z, p.range, prec);
     parts_free(&p);
@@ -93,4 +97,17 @@ void affine_deflate(number *z, const affine *b, const affine *x, int n, int pivo
             affine_range(z++, &rest, prec);
         }
     affine_clear(&rest);
+}
+
+spectral_answer affine_contract_rest(const affine *b, const affine *x, int n, int pivot, const number *scale, int least, int most, long prec)
+{
+    spectral_answer z = {TRUTH_FALSE, 0, false, INFINITY};
+    size_t size = (size_t)(n - 1) * (size_t)(n - 1);
+    number *rest = number_array_new(size);
+    if (rest) {
+        affine_deflate(rest, b, x, n, pivot, prec);
+        z = spectral_contraction(rest, scale, n - 1, least, most, prec);
+        number_array_free(rest, size);
+    }
+    return z;
 }

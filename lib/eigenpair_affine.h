@@ -6,6 +6,7 @@
 #include "../bigfloat/number.h"
 #include "../bigfloat/affine.h"
 #include "eigenpair_choice.h"
+#include "spectrum.h"
 
 #if !defined(NUMBER_AFFINE)
 #define base_number number
@@ -26,12 +27,16 @@ truth BASE_NAME(eigenpair_affine_prove)(affine *box, const eigenpair_choice *cho
    eigenvalues (lib/spectrum.h, matrix_deflate). */
 void BASE_NAME(affine_deflate)(base_number *z, const affine *b, const affine *x, int n, int pivot, long prec);
 
+/* The spectral_contraction of these. */
+spectral_answer BASE_NAME(affine_contract_rest)(const affine *b, const affine *x, int n, int pivot, const base_number *scale, int least, int most, long prec);
+
 #if !defined(NUMBER_AFFINE)
 #undef base_number
 #undef BASE_NAME
 #define eigenpair_affine_choose NUMBER_NAME(eigenpair_affine_choose)
 #define eigenpair_affine_prove NUMBER_NAME(eigenpair_affine_prove)
 #define affine_deflate NUMBER_NAME(affine_deflate)
+#define affine_contract_rest NUMBER_NAME(affine_contract_rest)
 #endif
 
 #endif

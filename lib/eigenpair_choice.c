@@ -44,3 +44,13 @@ void eigenpair_choice_clear(eigenpair_choice *z)
     integer_clear(&z->range);
     eigenpair_choice_init(z);
 }
+
+int eigenpair_choice_second_pivot(const eigenpair_choice *z)
+{
+    int others = z->n / 2 - 1, best = 0;
+    const integer *imaginary = z->approximation + others;
+    for (int i = 1; i < others; i++)
+        if (integer_cmp_abs(&imaginary[i], &imaginary[best]) > 0)
+            best = i;
+    return others < 1 ? -1 : best < z->pivot ? best : best + 1;
+}

@@ -22,4 +22,7 @@ void eigenpair_choice_init(eigenpair_choice *z);
 BIGFLOAT_MUST_USE bool eigenpair_choice_make(eigenpair_choice *z, int n, long grid); /* all 0, real form */
 void eigenpair_choice_clear(eigenpair_choice *z);
 
+/* In complex form: the first component other than the pivot, from 0, whose imaginary part is the largest; -1: there is none. */
+int eigenpair_choice_second_pivot(const eigenpair_choice *z);
+
 #endif

@@ -79,6 +79,21 @@ bool laurent_value_sub(laurent_value *z, const laurent_value *x)
     return ok;
 }
 
+bool laurent_value_stretch(laurent_value *z, long n)
+{
+    rational factor, power;
+    bool ok;
+    rational_init(&factor);
+    rational_init(&power);
+    ok = rational_set_si(&factor, n, 1);
+    for (int i = -D; ok && i <= D; i++)
+        if (!rational_is_zero(&z->c[i + D]))
+            ok = rational_pow(&power, &factor, i) && rational_mul(&z->c[i + D], &z->c[i + D], &power);
+    rational_clear(&factor);
+    rational_clear(&power);
+    return ok;
+}
+
 /* z += q k^n x; *known: no degree is too large. */
 static bool add_multiple(laurent_value *z, bool *known, const rational *q, int n, const laurent_value *x)
 {

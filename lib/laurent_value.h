@@ -19,10 +19,12 @@ static inline const rational *laurent_value_at(const laurent_value *x, int i) { 
 /* The greatest and the least i with c_i other than 0; of 0 both are 0. */
 int laurent_value_high(const laurent_value *x);
 int laurent_value_low(const laurent_value *x);
+static inline bool laurent_value_is_constant(const laurent_value *x) { return laurent_value_high(x) == 0 && laurent_value_low(x) == 0; }
 
 BIGFLOAT_MUST_USE bool laurent_value_set_si(laurent_value *z, long n);
 BIGFLOAT_MUST_USE bool laurent_value_add(laurent_value *z, const laurent_value *x); /* z += x */
 BIGFLOAT_MUST_USE bool laurent_value_sub(laurent_value *z, const laurent_value *x); /* z -= x */
+BIGFLOAT_MUST_USE bool laurent_value_stretch(laurent_value *z, long n); /* z(k) becomes z(n k), n > 0 */
 
 /* z = f for all k of the range; or *known is false: f is not made of numbers and k by + - *, minus, powers with whole exponents
    >= 0, quotients by one term, names, and `cases` that are decided over the range, or goes beyond degrees and lengths.

@@ -3,9 +3,6 @@
 
 #include "eigenpair_affine.h"
 #include "resting_centre.h"
-#include "spectrum.h"
-
-#include <math.h>
 
 /* hi(S_mu) + max(hi(S_L), 0) < 0 */
 static bool falls_behind(const affine *eigenvalue, const number *slope, long prec)
@@ -24,21 +21,6 @@ static bool falls_behind(const affine *eigenvalue, const number *slope, long pre
     return falls;
 }
 
-static truth prove_rest(int *power, const affine *box, const affine_matrix *b, int pivot, const limit_task *task, int least, int most, long prec)
-{
-    int n = b->n;
-    size_t size = (size_t)(n - 1) * (size_t)(n - 1);
-    number *rest = number_array_new(size);
-    spectral_answer answer = {TRUTH_FALSE, 0, false, INFINITY};
-    if (rest) {
-        affine_deflate(rest, b->entry, box, n, pivot, prec);
-        answer = spectral_contraction(rest, task->scale, n - 1, least, most, prec);
-        *power = answer.power;
-    }
-    number_array_free(rest, size);
-    return answer.contracts;
-}
-
 static truth prove_box(rise_box *z, affine *box, const affine_matrix *b, const limit_task *task, bool search, int most, long g, long prec)
 {
     truth t = TRUTH_TRUE;
@@ -48,8 +30,11 @@ static truth prove_box(rise_box *z, affine *box, const affine_matrix *b, const l
         t = eigenpair_affine_prove(box, &z->eigenpair, b->entry, b->n, prec);
     if (t == TRUTH_TRUE && (affine_is_positive(&box[b->n]) != TRUTH_TRUE || !falls_behind(&box[b->n], task->slope, prec)))
         t = TRUTH_UNKNOWN;
-    if (t == TRUTH_TRUE)
-        t = prove_rest(&z->power, box, b, z->eigenpair.pivot, task, search ? 0 : most, most, prec);
+    if (t == TRUTH_TRUE) {
+        spectral_answer rest = affine_contract_rest(b->entry, box, b->n, z->eigenpair.pivot, task->scale, search ? 0 : most, most, prec);
+        z->power = rest.power;
+        t = rest.contracts;
+    }
     return t;
 }
 

@@ -26,7 +26,9 @@ LIB_SOURCES = \
   lib/scheme_compose.c lib/scheme_text.c lib/scheme_read.c \
   lib/scheme_range.h lib/scheme_range.c \
   lib/laurent_value.h lib/laurent_value.c \
+  lib/centre_weights.h lib/centre_weights.c \
   lib/resting_centre.h lib/resting_centre.c \
+  lib/graded_scheme.h lib/graded_scheme.c \
   lib/arc.h lib/arc.c \
   lib/catalogue.h \
   lib/element.h lib/element.c \
@@ -39,7 +41,8 @@ LIB_SOURCES = \
   lib/eigenpair_choice.h lib/eigenpair_choice.c \
   lib/cover_list.h lib/cover_list.c \
   lib/monotone_list.h lib/monotone_list.c \
-  lib/range_choices.h lib/range_choices.c
+  lib/range_choices.h lib/range_choices.c \
+  lib/graded_choice.h lib/graded_choice.c
 
 # Compiled for every kind of number.
 LIB_GENERIC_SOURCES = \
@@ -82,8 +85,10 @@ LIB_AFFINE_SOURCES = \
   lib/step.h lib/step.c \
   lib/subdivision.h lib/subdivision.c \
   lib/block.h lib/block.c \
+  lib/reciprocal.h lib/reciprocal.c \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \
+  lib/graded.h lib/graded.c lib/graded_net.c \
   lib/patch.h lib/patch.c
 # Compiled for exact numbers of a field of cosines, too.
 LIB_COSINES_SOURCES = \

@@ -6,18 +6,7 @@
 #ifndef LIB_RESTING_CENTRE_H
 #define LIB_RESTING_CENTRE_H
 
-#include "laurent_value.h"
 #include "scheme.h"
-
-/* The weights of a rule of the centre for all k of a range, source by source, the rest as what it is worth. */
-typedef struct {
-    int count;
-    laurent_value weight[SCHEME_MAX_SOURCES];
-} centre_weights;
-
-/* *known false: some weight is no polynomial in 1/k.  false: no memory.  On either centre_weights_clear. */
-BIGFLOAT_MUST_USE bool centre_weights_make(centre_weights *z, bool *known, const rule *r, valence_range k);
-void centre_weights_clear(centre_weights *z);
 
 /* Is the scheme of this kind at all valences from k.first on (k.last must be unbounded)?  It has a centre, then, and its rules
    are decided. */

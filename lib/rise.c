@@ -3,7 +3,6 @@
 
 #include "eigenpair_affine.h"
 #include "scheme_range.h"
-#include "spectrum.h"
 #include "stop.h"
 #include "stride.h"
 
@@ -26,22 +25,15 @@ typedef struct {
 /* Point 3.  power: between least and most. */
 static truth prove_rest(int *power, const affine *box, const affine_matrix *b, int pivot, int least, int most, long prec)
 {
-    int n = b->n;
-    size_t size = (size_t)(n - 1) * (size_t)(n - 1);
-    number *rest = number_array_new(size);
+    spectral_answer answer;
     number scale;
-    spectral_answer answer = {TRUTH_FALSE, 0, false, 0};
     number_init(&scale);
-    if (rest) {
-        affine_deflate(rest, b->entry, box, n, pivot, prec);
-        affine_range(&scale, &box[n], prec);
-        number_lower(&scale, &scale, prec);
-        number_inv(&scale, &scale, prec);
-        number_upper(&scale, &scale, prec);
-        answer = spectral_contraction(rest, &scale, n - 1, least, most, prec);
-        *power = answer.power;
-    }
-    number_array_free(rest, size);
+    affine_range(&scale, &box[b->n], prec);
+    number_lower(&scale, &scale, prec);
+    number_inv(&scale, &scale, prec);
+    number_upper(&scale, &scale, prec);
+    answer = affine_contract_rest(b->entry, box, b->n, pivot, &scale, least, most, prec);
+    *power = answer.power;
     number_clear(&scale);
     return answer.contracts;
 }

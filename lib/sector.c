@@ -199,6 +199,7 @@ bool sector_net_make(sector_net *z, mesh_kind mesh, bool regular, int rings, con
     z->rings = rings;
     z->twist = t;
     number_init(&z->centre);
+    number_init(&z->centre_y);
     z->x = number_array_new((size_t)sector_size(rings));
     z->y = number_array_new((size_t)sector_size(rings));
     return z->x && z->y;
@@ -207,6 +208,7 @@ bool sector_net_make(sector_net *z, mesh_kind mesh, bool regular, int rings, con
 void sector_net_free(sector_net *z)
 {
     number_clear(&z->centre);
+    number_clear(&z->centre_y);
     if (z->x)
         number_array_free(z->x, (size_t)sector_size(z->rings));
     if (z->y)
@@ -225,7 +227,7 @@ sector_status sector_value(number *x, number *y, const sector_net *z, int a, int
     int turns;
     if (mesh_is_centre(z->mesh, a, b)) {
         number_set(x, &z->centre);
-        number_zero(y);
+        number_set(y, &z->centre_y);
         return SECTOR_OK;
     }
     if (!mesh_reduce(z->mesh, z->regular, &a, &b, &turns))
@@ -264,7 +266,7 @@ sector_status sector_masked_value(number *x, number *y, const sector_net *z, con
             if (s != SECTOR_OK || is_zero_pair(&p, &q))
                 continue;
             number_addmul(x, mask_numbers_at(mask, i, j), &p, prec);
-            if (z->twist)
+            if (number_is_zero(&q) != TRUTH_TRUE)
                 number_addmul(y, mask_numbers_at(mask, i, j), &q, prec);
         }
     number_clear(&p);

@@ -3,7 +3,8 @@
 
    A value is a pair (x, y).  In the *real form*, for mirror-symmetric schemes, it stands for x + i sin(w/2) y, and
    everything depends on u = cos(w/2) alone; in the *complex form* for x + i y.  Multiplication by t is a 2 x 2
-   matrix in both.  A *plain* net has t = 1: values are reals (y is 0), and the centre counts. */
+   matrix in both.  A *plain* net has t = 1, and the centre counts: values are reals (y is 0), or, of a complex eigenvalue,
+   complex numbers x + i y. */
 #ifndef LIB_SECTOR_H
 #define LIB_SECTOR_H
 
@@ -73,13 +74,13 @@ static inline const number *mask_numbers_at(const mask_numbers *z, long a, long 
     return &z->weight[(a - z->mask->a0) * z->mask->nb + (b - z->mask->b0)];
 }
 
-/* Values at the points of the sector on the rings 1..rings, and at the centre (0 unless plain). */
+/* Values at the points of the sector on the rings 1..rings, and at the centre, (centre, centre_y) (0 unless plain). */
 typedef struct {
     mesh_kind mesh;
     bool regular;       /* the k-regular complex is the regular one: nothing is opposite */
     int rings;
     const twist *twist; /* NULL: a plain net; else kept by the caller */
-    number centre;
+    number centre, centre_y;
     number *x, *y; /* sector_index(net, a, b) */
 } sector_net;
 

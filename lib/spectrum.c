@@ -49,6 +49,33 @@ void matrix_deflate_complex(number *z, const number *b, const number *x, int n, 
         }
 }
 
+/* The plane of x has the basis f, g with f_pivot = g_second = 1, f_second = g_pivot = 0, and w - w_pivot f - w_second g stands for w
+   modulo the plane. */
+void matrix_deflate_pair(number *z, const number *b, const number *x, int n, int pivot, int second, long prec)
+{
+    int h = n / 2, next = 0;
+    number f, g;
+    number_init(&f);
+    number_init(&g);
+    for (int i = 0; i < h; i++) {
+        if (i == pivot || i == second)
+            continue;
+        number_div(&g, &x[i + h], &x[second + h], prec);
+        number_set(&f, &x[i]);
+        number_submul(&f, &x[second], &g, prec);
+        for (int j = 0; j < h; j++) {
+            if (j == pivot || j == second)
+                continue;
+            number_set(&z[next], &b[i * n + j]);
+            number_submul(&z[next], &f, &b[pivot * n + j], prec);
+            number_submul(&z[next], &g, &b[second * n + j], prec);
+            next++;
+        }
+    }
+    number_clear(&f);
+    number_clear(&g);
+}
+
 /* false: there was no time. */
 static bool square(number *z, const number *c, int n, long prec)
 {

@@ -7,6 +7,7 @@
 
 #define matrix_deflate NUMBER_NAME(matrix_deflate)
 #define matrix_deflate_complex NUMBER_NAME(matrix_deflate_complex)
+#define matrix_deflate_pair NUMBER_NAME(matrix_deflate_pair)
 #define spectral_contraction NUMBER_NAME(spectral_contraction)
 #define spectral_contraction_sharp NUMBER_NAME(spectral_contraction_sharp)
 
@@ -18,6 +19,11 @@ void matrix_deflate(number *z, const number *b, const number *x, int n, int pivo
    numbers, x_pivot = 1, pivot < n/2: z, (n-2) x (n-2), is the real matrix of the complex one without that eigenvalue.
    Its eigenvalues are the other ones, and their conjugates. */
 void matrix_deflate_complex(number *z, const number *b, const number *x, int n, int pivot, long prec);
+
+/* For b = (A, 0; 0, A), n x n, A real, and the eigenvector x = a + i b of an eigenvalue of A that is not real, n numbers, real parts
+   first, x_pivot = 1, pivot, second < n/2: z, (n/2-2) x (n/2-2), is A without that eigenvalue and its conjugate, rows and
+   columns `pivot` and `second` removed.  The imaginary part of x_second must not be 0. */
+void matrix_deflate_pair(number *z, const number *b, const number *x, int n, int pivot, int second, long prec);
 
 /* (lib/stop.h: an answer that does not contract may have been given for want of time.) */
 typedef struct {

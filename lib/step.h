@@ -38,6 +38,7 @@ typedef struct {
     int rings;     /* scheme_closed_rings */
     bool any_mask; /* where the valence is plainly regular, any mask may give the centre its value, as lib/scheme.md says;
                       else it must keep it, which is all that certificates know of (verify/certificate.md, section 5) */
+    bool complex_form; /* covers (lib/cover.h) are of blocks in the complex form even where the scheme is mirror-symmetric */
     step_numbers steps[SCHEME_MAX_STEPS];
 } scheme_numbers;
 

@@ -164,6 +164,7 @@ static sector_status apply_rule(number *x, number *y, const rule_numbers *r, con
     for (int i = 0; s == SECTOR_OK && i < r->count; i++) {
         if (r->rule->sources[i].kind == SOURCE_CENTRE) {
             number_addmul(x, &r->matrix[i].xx, &old_net->centre, prec); /* 0 unless the net is plain */
+            number_addmul(y, &r->matrix[i].yy, &old_net->centre_y, prec);
             continue;
         }
         s = sector_value(&p, &q, old_net, r->point[i].a, r->point[i].b, prec);
@@ -179,16 +180,16 @@ static sector_status apply_rule(number *x, number *y, const rule_numbers *r, con
 /* Of unit nets most values are 0, which need not be multiplied. */
 static void apply_terms(number *x, number *y, const step_stencils *s, const point_stencil *p, const sector_net *old_net, long prec)
 {
-    number zero, turned[2];
-    number_init(&zero);
+    number turned[2];
     number_init(&turned[0]);
     number_init(&turned[1]);
     number_zero(x);
     number_zero(y);
     for (const mask_term *t = s->term + p->first, *end = t + p->count; t < end; t++) {
         const number *u = t->at == CENTRE_INDEX ? &old_net->centre : &old_net->x[t->at];
-        const number *v = t->at == CENTRE_INDEX ? &zero : &old_net->y[t->at];
-        if (number_is_zero(u) == TRUTH_TRUE && number_is_zero(v) == TRUTH_TRUE)
+        const number *v = t->at == CENTRE_INDEX ? &old_net->centre_y : &old_net->y[t->at];
+        bool is_real = number_is_zero(v) == TRUTH_TRUE;
+        if (is_real && number_is_zero(u) == TRUTH_TRUE)
             continue;
         if (old_net->twist && t->turns) {
             number_set(&turned[0], u);
@@ -196,12 +197,12 @@ static void apply_terms(number *x, number *y, const step_stencils *s, const poin
             twist_apply(&turned[0], &turned[1], old_net->twist, t->turns, prec);
             u = &turned[0];
             v = &turned[1];
+            is_real = false;
         }
         number_addmul(x, t->weight, u, prec);
-        if (old_net->twist)
+        if (!is_real)
             number_addmul(y, t->weight, v, prec);
     }
-    number_clear(&zero);
     number_clear(&turned[0]);
     number_clear(&turned[1]);
 }
@@ -218,16 +219,11 @@ static subdivide_status apply_to_point(number *x, number *y, const step_stencils
 /* There is no centre, or 0 there, or it has a value. */
 static subdivide_status apply_to_centre(sector_net *new_net, const sector_net *old_net, const step_stencils *s, long prec)
 {
-    number unused;
-    subdivide_status result;
     if (s->to == MESH_DUAL || new_net->twist)
         return SUBDIVIDE_OK;
     if (!s->has_centre)
         return SUBDIVIDE_NO_CENTRE_RULE;
-    number_init(&unused);
-    result = apply_to_point(&new_net->centre, &unused, s, &s->centre, old_net, prec);
-    number_clear(&unused);
-    return result;
+    return apply_to_point(&new_net->centre, &new_net->centre_y, s, &s->centre, old_net, prec);
 }
 
 static subdivide_status apply_step(sector_net *new_net, const sector_net *old_net, const step_stencils *s, long prec)

@@ -60,6 +60,7 @@ VERIFY_TESTS = \
   tests/verify/t-picture \
   tests/verify/t-prove \
   tests/verify/t-exact \
+  tests/verify/t-winding \
   tests/verify/t-consistency \
   tests/verify/t-uniform \
   tests/verify/t-polynomial
@@ -72,6 +73,7 @@ tests_verify_t_certificate_LDADD = $(LINK_VERIFY)
 tests_verify_t_picture_LDADD = $(LINK_VERIFY)
 tests_verify_t_consistency_LDADD = $(LINK_VERIFY)
 tests_verify_t_exact_LDADD = $(LINK_VERIFY)
+tests_verify_t_winding_LDADD = $(LINK_VERIFY)
 tests_verify_t_prove_LDADD = $(LINK_VERIFY)
 tests_verify_t_uniform_LDADD = $(LINK_VERIFY)
 tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
@@ -93,6 +95,8 @@ CHECK_TESTS = \
   tests/check/t-check-units \
   tests/check/t-check-geometry \
   tests/check/t-check-spectrum \
+  tests/check/t-check-winding \
+  tests/check/t-check-graded \
   tests/check/t-check-field \
   tests/check/t-check-ranges
 tests_check_t_check_units_CPPFLAGS =
@@ -103,6 +107,10 @@ tests_check_t_check_geometry_SOURCES = tests/check/protocol.h tests/check/t-chec
 tests_check_t_check_geometry_LDADD =
 tests_check_t_check_spectrum_CPPFLAGS =
 tests_check_t_check_spectrum_LDADD =
+tests_check_t_check_winding_CPPFLAGS =
+tests_check_t_check_winding_LDADD =
+tests_check_t_check_graded_CPPFLAGS =
+tests_check_t_check_graded_LDADD =
 tests_check_t_check_field_CPPFLAGS =
 tests_check_t_check_field_SOURCES = tests/check/protocol.h tests/check/t-check-field.c
 tests_check_t_check_field_LDADD =

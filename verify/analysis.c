@@ -43,25 +43,36 @@ outcome analysis_make_block(block *b, analysis *a, long first, long last)
 }
 #endif
 
-/* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue, n + 1 numbers: row p of
-   B x = L x is (B y)_p + x_p = L x_p, for it sums to 1. */
+/* How many numbers an eigenvector of block 0 has, with the eigenvalue: n + 1, or of a pair twice as many. */
+static size_t plain_size(const analysis *a)
+{
+    return (size_t)(a->choices->pair + 1) * (size_t)(a->dominant.n + 1);
+}
+
+/* From the differences y of block 0, in a->box, its eigenvector x_i = y_i + x_p and its eigenvalue: row p of B x = L x is
+   (B y)_p + x_p = L x_p, for it sums to 1. */
 static number *plain_eigenvector(const analysis *a)
 {
-    int n = a->dominant.n;
+    int n = a->dominant.n, parts = a->choices->pair + 1;
     const number *eigenvalue = &a->box[a->order];
-    number *z = number_array_new((size_t)n + 1);
-    number rest;
+    number *z = number_array_new(plain_size(a)), rest;
     if (!z)
         return NULL;
     number_init(&rest);
-    for (int j = 1; j < n; j++)
-        number_addmul(&z[0], &a->dominant.entry[j], &a->box[j - 1], a->prec);
+    for (int part = 0; part < parts; part++)
+        for (int j = 1; j < n; j++)
+            number_addmul(&z[part * n], &a->dominant.entry[j], &a->box[part * (n - 1) + j - 1], a->prec);
     number_one(&rest);
     number_sub(&rest, eigenvalue, &rest, a->prec);
-    number_div(&z[0], &z[0], &rest, a->prec);
-    for (int j = 1; j < n; j++)
-        number_add(&z[j], &a->box[j - 1], &z[0], a->prec);
-    number_set(&z[n], eigenvalue);
+    if (parts == 2)
+        charnet_divide(&z[0], &z[n], &rest, eigenvalue + 1, a->prec);
+    else
+        number_div(&z[0], &z[0], &rest, a->prec);
+    for (int part = 0; part < parts; part++) {
+        for (int j = 1; j < n; j++)
+            number_add(&z[part * n + j], &a->box[part * (n - 1) + j - 1], &z[part * n], a->prec);
+        number_set(&z[parts * n + part], &eigenvalue[part]);
+    }
     number_clear(&rest);
     return z;
 }
@@ -80,9 +91,9 @@ outcome analysis_make_net(analysis *a)
     if (m == 0)
         plain = plain_eigenvector(a);
     if (m > 0 || plain)
-        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, &a->numbers, a->plan->problem->geometry.rings);
+        made = charnet_make(&a->net, &a->dominant, m ? a->box : plain, a->dominant.imaginary || a->choices->pair, &a->numbers, a->plan->problem->geometry.rings);
     if (plain)
-        number_array_free(plain, (size_t)a->dominant.n + 1);
+        number_array_free(plain, plain_size(a));
     a->net_made = made == BLOCK_OK;
     return analysis_from_block(a, made, &d);
 }
@@ -232,6 +243,20 @@ static outcome run_tests(analysis *a)
     return o;
 }
 
+/* What is there as text belongs to the scaled block: with its factor. */
+static bool describe_growth(analysis *a)
+{
+    char growth[CHOICES_GROWTH_TEXT], *scaled = a->findings->eigenvalue, *text = malloc(strlen(scaled) + sizeof growth + 4);
+    choices_print_growth(growth, a->choices);
+    if (text && *growth)
+        sprintf(text, "(%s) %s", scaled, growth);
+    else if (text)
+        strcpy(text, scaled);
+    free(scaled);
+    a->findings->eigenvalue = text;
+    return text != NULL;
+}
+
 /* L as text. */
 static bool describe(analysis *a)
 {
@@ -243,6 +268,8 @@ static bool describe(analysis *a)
     free(f->eigenvalue);
     re = number_get_decimal(&a->box[a->order], digits);
     f->eigenvalue = re;
+    if (re && a->choices->claim == CLAIM_GRADED)
+        return describe_growth(a);
     if (!a->choices->eigenpair.complex_form || !re)
         return re != NULL;
     im = number_get_decimal(&a->box[a->order + 1], digits);

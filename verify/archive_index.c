@@ -124,13 +124,14 @@ static bool read_certificate(archive_index_entry *e, const char *path, const jou
 }
 
 /* What is decided as part of a longer range, which comes before it, is not undecided. */
-static void mark_covered(archive_index *z)
+static void mark_reach(archive_index *z)
 {
     long reach = 0;
     for (size_t i = 0; i < z->count; i++) {
         archive_index_entry *e = &z->entry[i];
         if (e->verdict != VERDICT_UNDECIDED && e->valences.last > reach)
             reach = e->valences.last;
+        e->reach = reach;
         e->covered = e->verdict == VERDICT_UNDECIDED && !e->damaged && e->valences.last <= reach;
     }
 }
@@ -143,8 +144,31 @@ bool archive_index_make(archive_index *z, const char *path, const journal *finis
         if (z->entry[i].verdict != VERDICT_UNDECIDED)
             ok = read_certificate(&z->entry[i], path, finished);
     if (ok)
-        mark_covered(z);
+        mark_reach(z);
     return ok;
+}
+
+/* How many entries begin at k or before. */
+static size_t count_up_to(const archive_index *z, long k)
+{
+    size_t from = 0, to = z->count;
+    while (from < to) {
+        size_t i = from + (to - from) / 2;
+        if (z->entry[i].valences.first <= k)
+            from = i + 1;
+        else
+            to = i;
+    }
+    return from;
+}
+
+const archive_index_entry *archive_index_next(const archive_index *z, valence_range k, const archive_index_entry *after)
+{
+    size_t i = after ? (size_t)(after - z->entry) : count_up_to(z, k.last);
+    while (i-- > 0 && z->entry[i].reach >= k.first)
+        if (z->entry[i].verdict != VERDICT_UNDECIDED && valence_range_overlap(z->entry[i].valences, k))
+            return &z->entry[i];
+    return NULL;
 }
 
 void archive_index_print(buffer *text, const archive_index *z)

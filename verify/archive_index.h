@@ -14,6 +14,7 @@ typedef struct {
     int version;      /* of the certificate, */
     long grid;        /* its grid, */
     size_t bytes;     /* and its length; 0: there is no certificate */
+    long reach;       /* the last valence that a decided entry up to this one speaks of */
     bool covered;     /* undecided here, but decided as part of a longer range: not in the text */
 } archive_index_entry;
 
@@ -27,6 +28,10 @@ void archive_index_clear(archive_index *z);
 
 /* Lists the directory and reads all its certificates.  false: errno says why. */
 bool archive_index_make(archive_index *z, const char *path, const journal *finished);
+
+/* The entries with a verdict about some valence of k, one after the other (the last one first): the one that follows `after`, NULL
+   for the first.  NULL: no more. */
+const archive_index_entry *archive_index_next(const archive_index *z, valence_range k, const archive_index_entry *after);
 
 /* Appends the text of the file `index`. */
 void archive_index_print(buffer *text, const archive_index *z);

@@ -78,6 +78,8 @@ static status pass(candidates *z, scheme_numbers *numbers, long first, long last
             result = STATUS_NO_MEMORY;
         if (result == STATUS_OK)
             enter(z, m, radius);
+        if (result == STATUS_OK && m == 0)
+            z->radius_of_zero = radius;
         if (result == STATUS_OK && m > 0 && 2 * m < numbers->k.first && radius > z->radius_of_pair) {
             z->pair = m;
             z->radius_of_pair = radius;
@@ -94,7 +96,7 @@ status find(candidates *z, const scheme *s, long k, diagnostic *d)
     long first = 0, last = k / 2, step;
     status result = scheme_numbers_make(&numbers, s, k, PRECISION, d);
     z->count = 0;
-    z->radius_of_pair = 0;
+    z->radius_of_pair = z->radius_of_zero = 0;
     if (result == STATUS_OK)
         result = measure(&z->radius_of_one, &numbers, 1, d);
     if (result == STATUS_OK && isnan(z->radius_of_one))

@@ -14,7 +14,8 @@ typedef struct {
     double radius[CANDIDATES_MAX];
     long pair;                      /* the block between 0 and k/2 with the largest modulus, */
     double radius_of_pair;          /* this one; 0: there is none */
-    double radius_of_one;           /* the largest modulus in block 1 */
+    double radius_of_one;           /* the largest modulus in block 1, */
+    double radius_of_zero;          /*   and in block 0 without its 1 */
 } candidates;
 
 /* STATUS_BAD_INPUT: a formula has no value somewhere. */

@@ -75,6 +75,15 @@ static void write_window(buffer *z, const window_choice *w)
     }
 }
 
+static void write_graded(buffer *z, const choices *c)
+{
+    buffer_print(z, "form graded\nunit %ld\ndegree %d\ngrades", c->graded.unit, c->graded.degree);
+    for (int i = 0; i < c->graded.n; i++)
+        buffer_print(z, " %d", c->graded.grade[i]);
+    buffer_print(z, "\n");
+    write_eigenpair(z, &c->eigenpair);
+}
+
 /* "7", "8 20", "21 inf" */
 static void write_range(buffer *z, const char *name, long first, long last)
 {
@@ -126,11 +135,13 @@ static void write_choices(buffer *z, const choices *c)
         certificate_write_exact(z, c);
     else if (c->claim == CLAIM_WINDOW)
         write_window(z, &c->window);
+    else if (c->claim == CLAIM_GRADED)
+        write_graded(z, c);
     else
-        write_form(z, c, &c->eigenpair, c->frequency == 0);
+        write_form(z, c, &c->eigenpair, c->frequency == 0 && !c->pair);
     if (c->claim == CLAIM_REAL) {
         buffer_print(z, "second %ld\n", c->second_frequency);
-        write_form(z, c, &c->second, false);
+        write_form(z, c, &c->second, c->second_frequency == 0);
     }
     write_spectrum(z, c);
     write_evidence(z, c);

@@ -97,12 +97,13 @@ static int count_words(const reader *r)
     return count;
 }
 
+/* Of block 0 without a pair it is plain. */
 static bool read_form(reader *r, bool plain)
 {
     bool complex_form;
     expect(r, "form");
-    complex_form = !plain && comes_next(r, "complex");
-    expect(r, plain ? "plain" : complex_form ? "complex" : "real");
+    complex_form = comes_next(r, "complex");
+    expect(r, complex_form ? "complex" : plain ? "plain" : "real");
     return complex_form;
 }
 
@@ -125,8 +126,8 @@ static void read_reason(reader *r, choices *c)
         c->claim = CLAIM_WINDOW;
         return;
     }
-    c->frequency = read_long(r, 10, 0, c->claim == CLAIM_REAL ? c->k.first / 2 : (c->k.first - 1) / 2);
-    if ((c->claim == CLAIM_FOLD && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
+    c->frequency = read_long(r, 10, 0, is_one_valence(c->k) ? c->k.first / 2 : (c->k.first - 1) / 2);
+    if (((c->claim == CLAIM_FOLD || c->claim == CLAIM_WINDING) && c->frequency != 1) || (c->claim == CLAIM_FREQUENCY && c->frequency == 1))
         r->failed = true;
 }
 
@@ -204,14 +205,60 @@ static void read_form_and_pair(reader *r, choices *c, eigenpair_choice *e, bool 
     }
 }
 
+/* Not c0, by an eigenvalue that grows? */
+static bool is_graded(const reader *r, const choices *c)
+{
+    reader ahead = *r;
+    expect(&ahead, "form");
+    expect(&ahead, "graded");
+    return !ahead.failed && c->claim == CLAIM_NOT_C0 && c->frequency == 0 && !is_one_valence(c->k);
+}
+
+static void read_graded(reader *r, choices *c)
+{
+    graded_choice *z = &c->graded;
+    long unit;
+    int degree, n;
+    c->claim = CLAIM_GRADED;
+    expect(r, "form");
+    expect(r, "graded");
+    expect(r, "unit");
+    unit = read_long(r, 10, 1, GRADED_MAX_UNIT);
+    expect(r, "degree");
+    degree = (int)read_long(r, 10, 0, GRADED_MAX_DEGREE);
+    n = count_words(r);
+    if (n < 1 || n > CHOICES_MAX_ORDER)
+        r->failed = true;
+    else if (!graded_choice_make(z, n))
+        r->no_memory = r->failed = true;
+    z->unit = unit;
+    z->degree = degree;
+    expect(r, "grades");
+    for (int i = 0; !r->failed && i < n; i++)
+        z->grade[i] = (int)read_long(r, 10, 0, GRADED_MAX_DEGREE);
+    read_eigenpair(r, &c->eigenpair, c->grid, false, true);
+}
+
+/* Blocks 0 and k/2 are real: complex form means a pair, and without one k/2 is for CLAIM_REAL only. */
+static void set_pair(reader *r, choices *c)
+{
+    bool half = is_one_valence(c->k) && 2 * c->frequency == c->k.first, may_be = is_one_valence(c->k) && c->claim != CLAIM_REAL;
+    c->pair = c->eigenpair.complex_form && may_be && (c->frequency == 0 || half);
+    if (!c->pair && (c->frequency == 0 ? c->eigenpair.complex_form : half && c->claim != CLAIM_REAL))
+        r->failed = true;
+}
+
 static void read_pair(reader *r, choices *c, bool several)
 {
     read_form_and_pair(r, c, &c->eigenpair, c->frequency == 0, several);
+    set_pair(r, c);
     if (c->claim != CLAIM_REAL)
         return;
     expect(r, "second");
-    c->second_frequency = read_long(r, 10, 1, (c->k.first - 1) / 2);
-    read_form_and_pair(r, c, &c->second, false, several);
+    c->second_frequency = read_long(r, 10, c->frequency == 0, (c->k.first - 1) / 2);
+    read_form_and_pair(r, c, &c->second, c->second_frequency == 0, several);
+    if (c->second_frequency == 0 && c->second.complex_form)
+        r->failed = true;
 }
 
 /* Of all blocks of a certificate together. */
@@ -367,17 +414,19 @@ static void read_choices(reader *r, choices *c)
         read_exact(r, c);
     else if (c->claim == CLAIM_WINDOW)
         read_window(r, c, &total);
+    else if (is_graded(r, c))
+        read_graded(r, c);
     else
         read_pair(r, c, several);
     if (several && c1)
         read_limit(r, c, &total);
     read_blocks(r, c, &total);
-    if (c->blocks.count && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_MODULUS_ONE))
-        r->failed = true; /* they need none */
-    if (several) {
+    if (several && c1)
         read_rise(r, c, &total);
+    if (several)
         read_spans(r, c, &total);
-    }
+    if ((c->blocks.count || c->spans.count) && (c->claim == CLAIM_NOT_C0 || c->claim == CLAIM_GRADED || c->claim == CLAIM_MODULUS_ONE))
+        r->failed = true; /* they need none */
     read_evidence(r, c);
 }
 

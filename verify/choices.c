@@ -1,14 +1,25 @@
 /* choices.c: life of the choices. */
 #include "choices.h"
 
+#include <stdio.h>
 #include <string.h>
 
 const char *claim_name(claim_kind c)
 {
-    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_REAL] = "real",
+    static const char *const names[] = {[CLAIM_C1] = "c1", [CLAIM_FREQUENCY] = "frequency", [CLAIM_NOT_C0] = "not-c0", [CLAIM_FOLD] = "fold", [CLAIM_WINDING] = "winding", [CLAIM_REAL] = "real",
                                          [CLAIM_TIE] = "tie", [CLAIM_JORDAN] = "jordan", [CLAIM_MODULUS_ONE] = "modulus-one",
-                                         [CLAIM_WINDOW] = "frequency"};
+                                         [CLAIM_WINDOW] = "frequency", [CLAIM_GRADED] = "not-c0"};
     return names[c];
+}
+
+void choices_print_growth(char text[CHOICES_GROWTH_TEXT], const choices *c)
+{
+    const graded_choice *g = &c->graded;
+    text[0] = '\0';
+    if (c->claim == CLAIM_GRADED && g->degree == 1)
+        snprintf(text, CHOICES_GROWTH_TEXT, "(k/%ld)", g->unit);
+    else if (c->claim == CLAIM_GRADED && g->degree > 1)
+        snprintf(text, CHOICES_GROWTH_TEXT, "(k/%ld)^%d", g->unit, g->degree);
 }
 
 void choices_init(choices *z)
@@ -25,6 +36,7 @@ void choices_init(choices *z)
     rise_list_init(&z->rise);
     span_list_init(&z->spans);
     window_choice_init(&z->window);
+    graded_choice_init(&z->graded);
     tree_init(&z->regularity);
     tree_init(&z->boundary);
 }
@@ -40,6 +52,7 @@ void choices_clear(choices *z)
     rise_list_clear(&z->rise);
     span_list_clear(&z->spans);
     window_choice_clear(&z->window);
+    graded_choice_clear(&z->graded);
     tree_clear(&z->regularity);
     tree_clear(&z->boundary);
     choices_init(z);

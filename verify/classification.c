@@ -53,32 +53,84 @@ static void print_reason(buffer *text, const classification_part *x)
         buffer_print(text, " 0");
 }
 
+/* For people an eigenvalue of modulus 1 and one beyond are the same reason, and so are all frequencies but 0; NULL: proved, or not decided. */
+static const char *reason_of(const classification_part *x)
+{
+    if (x->verdict != VERDICT_REFUTED)
+        return NULL;
+    switch (x->claim) {
+    case CLAIM_NOT_C0:
+    case CLAIM_GRADED:
+    case CLAIM_MODULUS_ONE:
+        return "not-C0";
+    case CLAIM_FREQUENCY:
+        return x->frequency == 0 ? "frequency 0" : "frequency";
+    default:
+        return claim_name(x->claim);
+    }
+}
+
+static bool is_same_reason(const char *x, const char *y)
+{
+    return x && y ? !strcmp(x, y) : x == y;
+}
+
+/* The range from part i on, with all that follow without a gap for the same reason; returns the next part. */
+static size_t print_range(buffer *text, const classification *z, size_t i)
+{
+    const classification_part *x = &z->part[i];
+    valence_range k = x->k;
+    char range[VALENCE_RANGE_TEXT];
+    while (++i < z->count && k.last + 1 == z->part[i].k.first && x->verdict == z->part[i].verdict && is_same_reason(reason_of(x), reason_of(&z->part[i])))
+        k.last = z->part[i].k.last;
+    valence_range_print(range, k);
+    buffer_print(text, "%s", range);
+    return i;
+}
+
+/* All ranges with the verdict and the reason of part `first`, which is the first one: "3, 20..25 (frequency 0)". */
+static void print_ranges(buffer *text, const classification *z, size_t first)
+{
+    const char *reason = reason_of(&z->part[first]);
+    for (size_t i = first; i < z->count;) {
+        if (z->part[i].verdict != z->part[first].verdict || !is_same_reason(reason_of(&z->part[i]), reason)) {
+            i++;
+            continue;
+        }
+        buffer_print(text, "%s", i > first ? ", " : "");
+        i = print_range(text, z, i);
+    }
+    if (reason)
+        buffer_print(text, " (%s)", reason);
+}
+
+static bool is_first_of_its_kind(const classification *z, size_t i)
+{
+    for (size_t j = 0; j < i; j++)
+        if (z->part[j].verdict == z->part[i].verdict && is_same_reason(reason_of(&z->part[j]), reason_of(&z->part[i])))
+            return false;
+    return true;
+}
+
 void classification_print(buffer *text, const classification *z)
 {
     static const struct {
         verdict verdict;
         const char *words;
     } groups[] = {{VERDICT_PROVED, "C1"}, {VERDICT_REFUTED, "not C1"}, {VERDICT_UNDECIDED, "undecided"}};
-    bool first_group = true;
+    const char *before_group = "";
     for (size_t g = 0; g < sizeof groups / sizeof *groups; g++) {
-        bool first = true;
+        const char *before = NULL; /* within the group */
         for (size_t i = 0; i < z->count; i++) {
-            const classification_part *x = &z->part[i];
-            char range[VALENCE_RANGE_TEXT];
-            if (x->verdict != groups[g].verdict)
+            if (z->part[i].verdict != groups[g].verdict || !is_first_of_its_kind(z, i))
                 continue;
-            if (first)
-                buffer_print(text, "%s%s: ", first_group ? "" : "; ", groups[g].words);
+            if (before)
+                buffer_print(text, "%s", before);
             else
-                buffer_print(text, ", ");
-            valence_range_print(range, x->k);
-            buffer_print(text, "%s", range);
-            if (x->verdict == VERDICT_REFUTED) {
-                buffer_print(text, " (");
-                print_reason(text, x);
-                buffer_print(text, ")");
-            }
-            first = first_group = false;
+                buffer_print(text, "%s%s: ", before_group, groups[g].words);
+            print_ranges(text, z, i);
+            before = ", ";
+            before_group = "; ";
         }
     }
 }

@@ -132,7 +132,7 @@ static bool draw_curve(gallery *g, const report *r, const report_entry *e)
     if (!f)
         return false;
     report_curve(&f->svg, r, e);
-    snprintf(f->caption, sizeof f->caption, "Valence %s. Why it is not C1: going once round the vertex, the dominant map goes %ld times round its centre, so no plane can be covered once.", e->at_name, e->frequency);
+    snprintf(f->caption, sizeof f->caption, "Valence %s. Why it is not C1: going once round the vertex, the dominant map goes %ld times round its centre, so no plane can be covered once.", e->at_name, e->windings);
     return true;
 }
 
@@ -152,7 +152,7 @@ static bool draw_entry(gallery *g, const report *r, const report_entry *e)
     bool ok = true;
     if (!e->shown || e->plainly_regular)
         return true;
-    if (e->picture.taken && e->claim == CLAIM_FREQUENCY && e->frequency > 1)
+    if (e->picture.taken && (e->claim == CLAIM_WINDING || (e->claim == CLAIM_FREQUENCY && e->frequency > 1)))
         ok = draw_curve(g, r, e);
     if (ok && e->picture.taken && e->claim != CLAIM_NOT_C0)
         ok = draw_map(g, r, e);

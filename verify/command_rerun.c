@@ -48,6 +48,14 @@ static void raise_result(rerun_run *r, int exit_status)
 
 /* ---- one certificate ---- */
 
+/* Why several valences are not C1: for the reason that the certificate has, if it can be read. */
+static range_reason reason_of(const examination *x)
+{
+    if (x->claim.c1)
+        return range_reason_after(CLAIM_C1, 0);
+    return x->readable ? range_reason_after(x->choices.claim, x->choices.frequency) : range_reason_after(CLAIM_WINDOW, 2);
+}
+
 /* false: no memory.  A scheme that has no meaning at the valence is undecided. */
 static bool search(decision *d, const rerun_run *r, const examination *x)
 {
@@ -59,7 +67,7 @@ static bool search(decision *d, const rerun_run *r, const examination *x)
     if (is_one_valence(x->claim.valences))
         decide_valence(d, &r->subject.problem, x->claim.valences.first, NULL, &l);
     else
-        decide_range(d, &r->subject.problem, x->claim.valences, !x->claim.c1, &l);
+        decide_range(d, &r->subject.problem, x->claim.valences, reason_of(x), &l);
     return d->outcome != OUTCOME_NO_MEMORY;
 }
 

@@ -53,13 +53,16 @@ static char *print_number(const integer *middle, const eigenpair_choice *e, int 
 static void print_eigenvalue(buffer *text, const choices *c, int digits)
 {
     const eigenpair_choice *e = &c->eigenpair;
-    char *re = print_number(&e->approximation[e->n - 1 - e->complex_form], e, digits), *im = NULL;
+    char *re = print_number(&e->approximation[e->n - 1 - e->complex_form], e, digits), *im = NULL, growth[CHOICES_GROWTH_TEXT];
+    choices_print_growth(growth, c);
     if (e->complex_form)
         im = print_number(&e->approximation[e->n - 1], e, digits);
     if (!re || (e->complex_form && !im))
         text->failed = true;
     else if (e->complex_form)
         buffer_print(text, "(%s) + i (%s)", re, im);
+    else if (*growth)
+        buffer_print(text, "(%s) %s", re, growth);
     else
         buffer_print(text, "%s", re);
     free(re);
@@ -109,7 +112,7 @@ static void say_spectrum(const choices *c, const char *eigenvalue)
     const eigenpair_choice *e = &c->eigenpair;
     printf("  eigenvalue      L = %s\n", eigenvalue);
     printf("                  simple; of block %ld (%s form, order %d): its nets turn %ld time%s as one goes round once\n", c->frequency,
-           c->frequency == 0 ? "plain" : e->complex_form ? "complex" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
+           c->claim == CLAIM_GRADED ? "graded" : e->complex_form ? "complex" : c->frequency == 0 ? "plain" : "real", e->n, c->frequency, c->frequency == 1 ? "" : "s");
     if (c->blocks.count == 0)
         return;
     printf("  the others      are smaller, by powers of the blocks (first..last: power):");
@@ -126,7 +129,7 @@ static void say_spectrum(const choices *c, const char *eigenvalue)
     if (c->rise.count)
         printf("                  near m/k = 0 they rise with u = cos(pi m / k), on %zu arcs\n", c->rise.count);
     if (c->spans.count)
-        printf("                  blocks 2 and more on %zu spans of m/k\n", c->spans.count);
+        printf("                  %s on %zu spans of m/k\n", c->frequency == 1 ? "blocks 2 and more" : "other blocks", c->spans.count);
 }
 
 static void say_tree(const char *what, const tree_word *w, int children, const char *why)
@@ -153,7 +156,7 @@ static void say_exact(const choices *c)
     printf("\n");
 }
 
-static void say_evidence(const choices *c)
+static void say_evidence(const choices *c, const findings *f)
 {
     switch (c->claim) {
     case CLAIM_C1:
@@ -167,6 +170,9 @@ static void say_evidence(const choices *c)
     case CLAIM_FREQUENCY:
         say_tree("no zero", &c->boundary, 2, "the eigenfunction has no zero on the outer curve, and another frequency than 1");
         break;
+    case CLAIM_GRADED:
+        printf("  growth          block 0 is scaled by powers of k; its eigenvalue is that of the scaled block times (k/%ld)^%d\n", c->graded.unit, c->graded.degree);
+        /* fall through */
     case CLAIM_NOT_C0:
         say_witness(&c->witness[0], "the eigenfunction of an eigenvalue beyond 1 is not 0");
         break;
@@ -174,8 +180,13 @@ static void say_evidence(const choices *c)
         say_witness(&c->witness[0], "the Jacobian is positive");
         say_witness(&c->witness[1], "the Jacobian is negative");
         break;
+    case CLAIM_WINDING:
+        say_tree("winding", &c->boundary, 2, "the characteristic map has no zero on the outer curve");
+        printf("                  it winds %ld times round the extraordinary point\n", f->windings);
+        break;
     case CLAIM_REAL:
-        printf("  second          an eigenvalue of block %ld comes next: the normals of the two functions have no limit\n", c->second_frequency);
+        printf("  second          an eigenvalue of block %ld comes next: %s\n", c->second_frequency,
+               c->second_frequency ? "the normals of the two functions have no limit" : "the map of the two functions folds");
         say_witness(&c->witness[0], "both Jacobians are other than 0");
         break;
     case CLAIM_TIE:
@@ -220,7 +231,7 @@ static int say(const examination *x, const show_run *r, const char *file, const 
         if (!x->choices.plainly_regular && eigenvalue)
             say_spectrum(&x->choices, eigenvalue);
         if (!x->choices.plainly_regular)
-            say_evidence(&x->choices);
+            say_evidence(&x->choices, &x->findings);
     }
     say_followed(x);
     return 0;

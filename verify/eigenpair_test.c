@@ -39,7 +39,7 @@ static outcome explain_side(analysis *a, const char *of_what)
     return findings_explain(a->findings, OUTCOME_FAIL, "%s of block %ld could not be shown to lie between 0 and 1", of_what, a->choices->frequency);
 }
 
-/* A real L, which may be negative only where a frequency or growth is claimed.  Sets the scale. */
+/* A real L, which may not be negative for C1 and folds.  Sets the scale. */
 static outcome bound_real(analysis *a)
 {
     claim_kind claim = a->choices->claim;
@@ -48,7 +48,7 @@ static outcome bound_real(analysis *a)
     number_init(&modulus);
     number_init(&lower);
     number_set(&modulus, &a->box[a->order]);
-    if ((claim == CLAIM_FREQUENCY || claim == CLAIM_NOT_C0 || claim == CLAIM_REAL) && number_is_negative(&modulus) == TRUTH_TRUE)
+    if ((claim == CLAIM_FREQUENCY || claim == CLAIM_NOT_C0 || claim == CLAIM_WINDING || claim == CLAIM_REAL) && number_is_negative(&modulus) == TRUTH_TRUE)
         number_neg(&modulus, &modulus);
     if (!is_on_its_side(a, &modulus))
         o = explain_side(a, "the dominant eigenvalue");
@@ -110,21 +110,48 @@ static outcome bound_complex(analysis *a)
     return o;
 }
 
-/* a->matrix: the block as a real matrix; block 0 without the eigenvalue 1 of the vector of ones. */
+/* Block 0 without the eigenvalue 1 of the vector of ones, order x order. */
+static number *deflate_plain(int *order, const block *plain, long prec)
+{
+    int n = *order = plain->n - 1;
+    number *z = number_array_new((size_t)n * (size_t)n);
+    if (z)
+        matrix_deflate(z, plain->entry, NULL, plain->n, 0, prec);
+    return z;
+}
+
+/* (A, 0; 0, A), so that a real vector (x, y) stands for x + i y: block 0 or k/2, which is real, as a matrix of the complex
+   form. */
+static number *double_matrix(const number *a, int n)
+{
+    number *z = number_array_new(4 * (size_t)n * (size_t)n);
+    for (int i = 0; z && i < n * n; i++) {
+        number_set(&z[i / n * 2 * n + i % n], &a[i]);
+        number_set(&z[(i / n + n) * 2 * n + i % n + n], &a[i]);
+    }
+    return z;
+}
+
+/* a->matrix: the block as a real matrix, as the choices say. */
 static outcome make_matrix(analysis *a)
 {
     long m = a->choices->frequency;
+    number *real = NULL;
     outcome o = analysis_make_block(&a->dominant, a, m, m);
     if (o != OUTCOME_TRUE)
         return o;
-    if (m > 0) {
-        a->matrix = block_real_matrix(&a->order, &a->dominant);
-    } else {
-        a->order = a->dominant.n - 1;
-        a->matrix = number_array_new((size_t)a->order * (size_t)a->order);
-        if (a->matrix)
-            matrix_deflate(a->matrix, a->dominant.entry, NULL, a->dominant.n, 0, a->prec);
+    a->order = a->dominant.n;
+    if (m == 0)
+        real = deflate_plain(&a->order, &a->dominant, a->prec);
+    if (!a->choices->pair) {
+        a->matrix = m == 0 ? real : block_real_matrix(&a->order, &a->dominant);
+        return a->matrix ? OUTCOME_TRUE : OUTCOME_NO_MEMORY;
     }
+    if (m > 0 || real)
+        a->matrix = double_matrix(m == 0 ? real : a->dominant.entry, a->order);
+    if (real)
+        number_array_free(real, (size_t)a->order * (size_t)a->order);
+    a->order *= 2;
     return a->matrix ? OUTCOME_TRUE : OUTCOME_NO_MEMORY;
 }
 
@@ -132,12 +159,12 @@ outcome test_eigenpair(analysis *a)
 {
     choices *c = a->choices;
     bool symmetric = a->plan->problem->scheme->mirror_symmetric;
-    bool complex_form = c->frequency == 0 ? false : a->replay ? c->eigenpair.complex_form : !symmetric;
+    bool complex_form = c->pair || (c->frequency > 0 && (a->replay ? c->eigenpair.complex_form : !symmetric));
     truth found = TRUTH_TRUE;
     outcome o;
     if (c->frequency > 0 && !complex_form && !symmetric)
         return findings_explain(a->findings, OUTCOME_FALSE, "the real form, but the scheme is not evidently mirror-symmetric");
-    c->eigenpair.complex_form = complex_form;
+    c->eigenpair.complex_form = a->numbers.complex_form = complex_form;
     o = make_matrix(a);
     if (o != OUTCOME_TRUE)
         return o;

@@ -90,17 +90,20 @@ static outcome try_to_prove(decision *z, choices *c, analysis_plan *plan, long p
     return o;
 }
 
-/* The figures are those of the refutation if it succeeds, and else remain.  s: of one valence. */
-static outcome try_to_refute(decision *z, suspicion *s, const analysis_plan *plan, long precision)
+/* The figures are those of the refutation if it succeeds, and else remain.  s: of one valence; r: of several. */
+static outcome try_to_refute(decision *z, suspicion *s, range_reason r, const analysis_plan *plan, long precision)
 {
     findings before = z->findings;
     choices c;
     outcome o;
     choices_init(&c);
     z->findings.eigenvalue = NULL;
-    o = is_one_valence(z->k) ? refute(&z->findings, &c, s, plan, z->k.first, precision) : refute_range(&z->findings, &c, plan, z->k, precision);
+    o = s ? refute(&z->findings, &c, s, plan, z->k.first, precision) : refute_range(&z->findings, &c, plan, z->k, r, precision);
     if (o == OUTCOME_TRUE) {
-        refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
+        if (s)
+            refute_describe(z->reason, sizeof z->reason, &c, &z->findings, s);
+        else
+            refute_range_describe(z->reason, sizeof z->reason, &c, &z->findings);
         o = certify(z, &c, plan);
     }
     if (o == OUTCOME_TRUE) {
@@ -135,7 +138,8 @@ static outcome try_precision(decision *z, choices *c, analysis_plan *plan, suspi
     if (o == OUTCOME_TRUE || o == OUTCOME_STOPPED || o == OUTCOME_NO_MEMORY || o == OUTCOME_BAD_INPUT || !plan->found[TEST_REGULAR_COMPLEX])
         return o;
     s->folds = plan->found[TEST_SPECTRUM] && !plan->found[TEST_REGULARITY];
-    refuted = try_to_refute(z, s, plan, precision);
+    s->winds = plan->found[TEST_SPECTRUM] ? !plan->found[TEST_INJECTIVITY] : !plan->found[TEST_EIGENPAIR]; /* L < 0 is none for C1 */
+    refuted = try_to_refute(z, s, range_reason_after(CLAIM_C1, 0), plan, precision);
     return refuted == OUTCOME_FAIL ? o : refuted;
 }
 
@@ -217,7 +221,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
     z->seconds = deadline_now() - start;
 }
 
-void decide_range(decision *z, const problem *p, valence_range k, bool refutes, const limits *l)
+void decide_range(decision *z, const problem *p, valence_range k, range_reason r, const limits *l)
 {
     double start = deadline_now();
     analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS, .uniform = l->uniform};
@@ -228,7 +232,8 @@ void decide_range(decision *z, const problem *p, valence_range k, bool refutes, 
     c.k = z->k = k;
     set_rung(z, &plan, l, precision);
     before = stop_watch(deadline_sign(&l->deadline));
-    z->outcome = refutes ? try_to_refute(z, NULL, &plan, precision) : try_to_prove(z, &c, &plan, precision);
+    z->outcome = range_reason_is_one(r) ? try_to_refute(z, NULL, r, &plan, precision) : try_to_prove(z, &c, &plan, precision);
+    z->obstacle = z->findings.attempt_count ? z->findings.attempt_count - 1 : 0;
     choices_clear(&c);
     stop_watch(before);
     z->seconds = deadline_now() - start;

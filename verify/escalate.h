@@ -5,6 +5,7 @@
 
 #include "analysis.h"
 #include "buffer.h"
+#include "refute_range.h"
 
 typedef struct {
     long precision;     /* 0: escalate; else only balls of this many bits */
@@ -46,8 +47,8 @@ void decision_clear(decision *z);
 void decide_valence(decision *z, const problem *p, long valence, const buffer *earlier, const limits *l);
 
 /* The same for all valences of a range of several, at one precision: that of the limits, or hardware intervals.  VERDICT_UNDECIDED
-   says nothing of smaller ranges.  refutes: it seems that the scheme is not C1 there, because of a frequency. */
-void decide_range(decision *z, const problem *p, valence_range k, bool refutes, const limits *l);
+   says nothing of smaller ranges.  r: why it seems that the scheme is not C1 there, if there is a reason. */
+void decide_range(decision *z, const problem *p, valence_range k, range_reason r, const limits *l);
 
 /* Does the certificate prove its claim for these valences?  Else nothing is decided. */
 bool decide_by_certificate(decision *z, const problem *p, valence_range k, const buffer *certificate, const limits *l);

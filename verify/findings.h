@@ -26,6 +26,7 @@ typedef struct {
     char *eigenvalue;                          /* L as text, up to 40 digits */
     double runner_up;                          /* every other eigenvalue but 1 is smaller in modulus */
     long runner_up_block;                      /* where the largest of them seems to be */
+    long windings;                             /* CLAIM_WINDING: of the characteristic map round 0 */
     double jacobian;                           /* a lower bound of the Jacobian on the ring, in coordinates (x, y) */
     int level;                                 /* of subdivision, in the tests that succeeded */
     long elements;                             /* examined in them */

@@ -19,6 +19,7 @@ VERIFY_SOURCES = \
   verify/analysis.h \
   verify/exact_search.h verify/exact_search.c \
   verify/refute.h verify/refute.c \
+  verify/refute_range.h verify/refute_range.c \
   verify/escalate.h verify/escalate.c \
   verify/partition.h verify/partition.c \
   verify/classification.h verify/classification.c \
@@ -61,6 +62,7 @@ VERIFY_GENERIC_SOURCES = \
   verify/injectivity_test.c \
   verify/zero_free_test.c \
   verify/fold_test.c \
+  verify/winding_test.c \
   verify/analysis_pair.c \
   verify/real_test.c \
   verify/exact_test.h verify/exact_test.c \
@@ -94,6 +96,7 @@ VERIFY_AFFINE_SOURCES = \
   verify/range_eigenpair_test.c \
   verify/range_spectrum_test.c \
   verify/window_test.c \
+  verify/graded_test.c \
   verify/analysis.c
 
 GENERIC_SOURCES += $(VERIFY_GENERIC_SOURCES)
@@ -106,6 +109,8 @@ bin_PROGRAMS += smoothcert
 smoothcert_SOURCES = \
   verify/command.h \
   verify/command_scheme.h verify/command_scheme.c \
+  verify/prove_options.h verify/prove_options.c \
+  verify/prove_run.h verify/prove_decide.c verify/prove_keep.c \
   verify/command_prove.c \
   verify/command_spectrum.c \
   verify/command_regular.c \

@@ -8,8 +8,10 @@
 
 /* Of the first box, in u. */
 #define FIRST_WIDTH 0.04
-/* After so many single valences in a row, none of which helped to decide more than itself, a range without an end is given up. */
+/* After so many single valences in a row, none of which helped to decide more than itself, a range without an end is given up; */
 #define MAX_SINGLES 200
+/* and after so many boxes. */
+#define MAX_BOXES 1000
 
 typedef struct {
     const partition *p;
@@ -17,7 +19,8 @@ typedef struct {
     long k;        /* the first one that is still open */
     double width;  /* of the next box */
     long singles;  /* in a row */
-    bool refuted;  /* the valence before, by a frequency other than 0: so may be the next ones */
+    long boxes;    /* all of them */
+    range_reason reason; /* why the valence before is not C1, if it is not: so may be the next ones */
 } progress_of_partition;
 
 static double u_of(long k)
@@ -48,7 +51,7 @@ static bool decide_box(progress_of_partition *s, decision *d)
             return false; /* far out u, or the largest valence, allows no smaller box */
         tried = box.last;
         width = u_of(box.last) - u_of(s->k);
-        decide_range(d, p->problem, box, s->refuted, p->limits);
+        decide_range(d, p->problem, box, s->reason, p->limits);
         if (d->verdict != VERDICT_UNDECIDED) {
             s->width = fmin(1.5 * s->width, 1); /* of what was asked for: boxes are rounded down to whole valences */
             return true;
@@ -60,21 +63,6 @@ static bool decide_box(progress_of_partition *s, decision *d)
     }
 }
 
-/* By a certificate that is there already. */
-static bool decide_as_before(const progress_of_partition *s, decision *d)
-{
-    const partition *p = s->p;
-    buffer earlier;
-    valence_range k;
-    bool decided = false;
-    buffer_init(&earlier);
-    k = p->find_earlier(&earlier, s->k, p->data);
-    if (earlier.length)
-        decided = decide_by_certificate(d, p->problem, k, &earlier, p->limits);
-    buffer_clear(&earlier);
-    return decided;
-}
-
 static void leave_open(const progress_of_partition *s, decision *d)
 {
     d->k = (valence_range){s->k, s->range.last};
@@ -82,6 +70,8 @@ static void leave_open(const progress_of_partition *s, decision *d)
     findings_begin(&d->findings, "ranges of valences", "exact", 0);
     if (s->k > CHOICES_MAX_VALENCE)
         findings_explain(&d->findings, OUTCOME_FAIL, "no range without an end could be decided, and single valences go up to %d", CHOICES_MAX_VALENCE);
+    else if (s->boxes >= MAX_BOXES)
+        findings_explain(&d->findings, OUTCOME_FAIL, "%ld boxes of valences were decided, and the next ones are not wider, which does not end", s->boxes);
     else
         findings_explain(&d->findings, OUTCOME_FAIL, "%ld valences in a row could be decided only one by one, which does not end", s->singles);
     findings_last(&d->findings)->outcome = OUTCOME_FAIL;
@@ -90,9 +80,8 @@ static void leave_open(const progress_of_partition *s, decision *d)
 /* The next decision, about a box from s->k on. */
 static void decide_next(progress_of_partition *s, decision *d)
 {
-    bool beyond = s->k > CHOICES_MAX_VALENCE;
-    if (!beyond && decide_as_before(s, d))
-        return;
+    bool beyond = s->k > CHOICES_MAX_VALENCE || (s->range.last == VALENCES_UNBOUNDED && s->boxes >= MAX_BOXES);
+    s->boxes++;
     if (!beyond && decide_box(s, d)) {
         s->singles = 0;
     } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || s->singles >= MAX_SINGLES)) {
@@ -100,21 +89,23 @@ static void decide_next(progress_of_partition *s, decision *d)
     } else {
         decide_valence(d, s->p->problem, s->k, NULL, s->p->limits);
         s->singles++;
+        if (range_reason_is_one(s->reason)) /* what failed here may be done a little farther on */
+            s->width = fmax(s->width, u_of(s->k + 5) - u_of(s->k + 1));
     }
 }
 
-/* What was refuted for the first time is tried as wide as possible; and what no longer is, anew. */
+/* What was refuted for a new reason is tried as wide as possible; and what no longer is, anew. */
 static void note_refutation(progress_of_partition *s, const decision *d)
 {
-    bool refuted = d->verdict == VERDICT_REFUTED && (d->claim == CLAIM_WINDOW || (d->claim == CLAIM_FREQUENCY && d->frequency > 1));
-    if (refuted != s->refuted)
-        s->width = refuted ? 1 : FIRST_WIDTH;
-    s->refuted = refuted;
+    range_reason r = range_reason_after(d->verdict == VERDICT_REFUTED ? d->claim : CLAIM_C1, d->frequency);
+    if (!range_reason_equal(r, s->reason))
+        s->width = range_reason_is_one(r) ? 1 : FIRST_WIDTH;
+    s->reason = r;
 }
 
 bool partition_run(const partition *p, valence_range range)
 {
-    progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0, false};
+    progress_of_partition s = {p, range, range.first, FIRST_WIDTH, 0, 0, range_reason_after(CLAIM_C1, 0)};
     bool more = true;
     while (more) {
         long last;
@@ -125,7 +116,7 @@ bool partition_run(const partition *p, valence_range range)
         note_refutation(&s, &d);
         more = p->take(&d, p->data);
         decision_clear(&d);
-        if (last >= range.last) /* a certificate of an earlier run may go on */
+        if (last >= range.last)
             break;
         s.k = last + 1;
     }

@@ -7,9 +7,6 @@
 typedef struct {
     const problem *problem;
     const limits *limits;
-    /* A certificate of an earlier run whose valences begin at k, the widest such; nobody vouches for it.  *earlier stays empty if
-       there is none. */
-    valence_range (*find_earlier)(buffer *earlier, long k, void *data);
     /* Takes a decision over, in the order of valences, with all that belongs to it, or leaves that where it is.  false: no more. */
     bool (*take)(decision *d, void *data);
     void *data;

@@ -195,7 +195,7 @@ static outcome take_net(picture *p, analysis *a)
     choose_level(p, g);
     if (scheme_numbers_set_frequency(&a->numbers, p->frequency, &a->dominant.twist, &d) != STATUS_OK)
         return OUTCOME_NO_MEMORY;
-    made = charnet_make(&net, &a->dominant, a->box, &a->numbers, p->rings);
+    made = charnet_make(&net, &a->dominant, a->box, a->choices->eigenpair.complex_form, &a->numbers, p->rings);
     o = analysis_from_block(a, made, &d);
     if (o == OUTCOME_TRUE)
         o = copy_net(p, &net);

@@ -1,21 +1,14 @@
-/* range_spectrum_test.c: the dominance of L for many valences (verify/certificate-valences.md, section 4).  Compiled
+/* range_spectrum_test.c: the dominance of L for many valences (verify/certificate-valences.md, sections 4 and 6).  Compiled
    for affine numbers. */
 #include "tests.h"
 
-#include "../lib/eigenpair_affine.h"
 #include "range_spectrum.h"
 
 outcome test_spectrum(analysis *a)
 {
-    int n = a->order - 1;
-    size_t size = (size_t)n * (size_t)n;
-    base_number *rest = base_array_new(size);
-    outcome o = OUTCOME_NO_MEMORY;
-    if (rest) {
-        BASE_NAME(affine_deflate)(rest, a->dominant.entry, a->box, a->order, a->choices->eigenpair.pivot, a->prec);
-        o = BASE_NAME(range_spectrum)(a->findings, a->choices, a->plan->problem->scheme, rest, n, &a->scale.centre, &a->box[a->order].slope, a->replay, a->prec);
-        base_array_free(rest, size);
-    }
+    const BASE_NAME(range_pair) pair = {analysis_matrix(a), a->box, a->order, a->choices->eigenpair.pivot};
+    outcome o = (a->choices->claim == CLAIM_C1 ? BASE_NAME(range_spectrum) : BASE_NAME(range_spectrum_of_frequency))(
+        a->findings, a->choices, a->plan->problem->scheme, &pair, &a->scale.centre, a->replay, a->prec);
     a->plan->scale_upper = number_upper_bound(&a->scale);
     return o;
 }

@@ -3,15 +3,26 @@
 #include "tests.h"
 #include "uniform_range.h"
 
-enum { C1 = 1 << CLAIM_C1, WINDOW = 1 << CLAIM_WINDOW };
+enum {
+    C1 = 1 << CLAIM_C1,
+    FREQUENCY = 1 << CLAIM_FREQUENCY,
+    NOT_C0 = 1 << CLAIM_NOT_C0,
+    FOLD = 1 << CLAIM_FOLD,
+    WINDOW = 1 << CLAIM_WINDOW,
+    GRADED = 1 << CLAIM_GRADED
+};
 
 const analysis_test analysis_tests[] = {
-    {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, C1 | WINDOW},
-    {TEST_EIGENPAIR, "eigenpair", test_eigenpair, C1},
+    {TEST_REGULAR_COMPLEX, "regular complex", test_regular_complex, C1 | FREQUENCY | NOT_C0 | FOLD | WINDOW | GRADED},
+    {TEST_EIGENPAIR, "eigenpair", test_eigenpair, C1 | FREQUENCY | NOT_C0 | FOLD},
     {TEST_EIGENPAIR, "window", test_window, WINDOW},
-    {TEST_SPECTRUM, "spectrum", test_spectrum, C1},
+    {TEST_EIGENPAIR, "growth", test_graded, GRADED},
+    {TEST_SPECTRUM, "spectrum", test_spectrum, C1 | FREQUENCY | FOLD},
     {TEST_REGULARITY, "regularity", test_regularity, C1},
     {TEST_INJECTIVITY, "injectivity", test_injectivity, C1},
+    {TEST_ZERO_FREE, "no zero", test_zero_free, FREQUENCY},
+    {TEST_WITNESS, "nonzero", test_nonzero, NOT_C0 | GRADED},
+    {TEST_WITNESS, "fold", test_fold, FOLD},
     {TESTS, NULL, NULL, 0},
 };
 

@@ -1,4 +1,4 @@
-/* real_test.c: a simple real eigenvalue of block 0 or k/2, and a pair of blocks next to it (verify/certificate.md, section
+/* real_test.c: a simple real eigenvalue of block 0 or k/2, and one of a pair of blocks, or of block 0 after k/2, next to it (verify/certificate.md, section
    10).  Compiled once per number system. */
 #include "tests.h"
 

@@ -14,6 +14,11 @@
 /* What is exactly equal is looked for when this many bits tell nothing. */
 #define EXACT_PRECISION 128
 
+static bool is_final(outcome o)
+{
+    return o == OUTCOME_TRUE || o == OUTCOME_NO_MEMORY || o == OUTCOME_STOPPED;
+}
+
 static outcome attempt_choices(findings *f, choices *c, const analysis_plan *plan, long precision)
 {
     analysis_plan own = {.problem = plan->problem, .max_level = plan->max_level, .deadline = plan->deadline, .system = plan->system};
@@ -22,26 +27,62 @@ static outcome attempt_choices(findings *f, choices *c, const analysis_plan *pla
     return analysis_search(f, c, &own, precision);
 }
 
-static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, long valence, long precision)
+static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan, claim_kind claim, long frequency, bool pair, long valence, long precision)
 {
     choices_clear(c);
     c->claim = claim;
     c->frequency = frequency;
+    c->pair = pair;
     c->k = one_valence(valence);
     return attempt_choices(f, c, plan, precision);
 }
 
-/* A single real function in front of all, and then the pair of blocks that comes next. */
+/* What comes next after a real function of block m: a pair of blocks, or block 0; its largest modulus, too. */
+static long second_block(double *radius, const candidates *z, long m)
+{
+    bool zero = m != 0 && z->radius_of_zero > z->radius_of_pair;
+    *radius = zero ? z->radius_of_zero : z->radius_of_pair;
+    return zero ? 0 : z->pair;
+}
+
+/* A single real function in front of all, and what comes next. */
 static outcome attempt_real(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, long valence, long precision)
 {
-    if (!(s->candidates.radius_of_pair > 0 && s->candidates.radius_of_pair < s->candidates.radius[i]))
+    double radius;
+    long second = second_block(&radius, &s->candidates, s->candidates.frequency[i]);
+    if (!(radius > 0 && radius < s->candidates.radius[i]))
         return OUTCOME_FAIL;
     choices_clear(c);
     c->claim = CLAIM_REAL;
     c->frequency = s->candidates.frequency[i];
-    c->second_frequency = s->candidates.pair;
+    c->second_frequency = second;
     c->k = one_valence(valence);
     return attempt_choices(f, c, plan, precision);
+}
+
+/* That the block's eigenvalue, or of a real block a pair of them, is larger than all others, or than 1. */
+static outcome attempt_eigenvalue(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, bool pair, long valence, long precision)
+{
+    long m = s->candidates.frequency[i];
+    outcome o = OUTCOME_FAIL;
+    if (s->candidates.radius[i] > NEARLY_ONE)
+        o = attempt_claim(f, c, plan, CLAIM_NOT_C0, m, pair, valence, precision);
+    if (!is_final(o) && m != 1)
+        o = attempt_claim(f, c, plan, CLAIM_FREQUENCY, m, pair, valence, precision);
+    return o;
+}
+
+/* Block i of the candidates. */
+static outcome attempt_block(findings *f, choices *c, const suspicion *s, const analysis_plan *plan, int i, long valence, long precision)
+{
+    long m = s->candidates.frequency[i];
+    bool half = 2 * m == valence;
+    outcome o = half ? OUTCOME_FAIL : attempt_eigenvalue(f, c, s, plan, i, false, valence, precision);
+    if (!is_final(o) && (m == 0 || half))
+        o = attempt_real(f, c, s, plan, i, valence, precision);
+    if (!is_final(o) && (m == 0 || half))
+        o = attempt_eigenvalue(f, c, s, plan, i, true, valence, precision);
+    return o;
 }
 
 /* Numbers that are equal, which no precision tells. */
@@ -53,11 +94,6 @@ static outcome attempt_exact(findings *f, choices *c, suspicion *s, const analys
     found = exact_search(&c->exact, &c->claim, plan->problem->scheme, valence, &s->candidates);
     s->no_exact = found == TRUTH_UNKNOWN;
     return found == TRUTH_TRUE ? attempt_choices(f, c, plan, precision) : found == TRUTH_FALSE ? OUTCOME_NO_MEMORY : OUTCOME_FAIL;
-}
-
-static bool is_final(outcome o)
-{
-    return o == OUTCOME_TRUE || o == OUTCOME_NO_MEMORY || o == OUTCOME_STOPPED;
 }
 
 static outcome look_for_candidates(suspicion *s, const analysis_plan *plan, long valence, bool hardware)
@@ -81,17 +117,11 @@ outcome refute(findings *f, choices *c, suspicion *s, const analysis_plan *plan,
         return o;
     o = OUTCOME_FAIL;
     if (s->folds)
-        o = attempt_claim(f, c, plan, CLAIM_FOLD, 1, valence, precision);
-    for (int i = 0; !is_final(o) && i < s->candidates.near; i++) {
-        long m = s->candidates.frequency[i];
-        bool real = m == 0 || 2 * m == valence;
-        if (2 * m != valence && s->candidates.radius[i] > NEARLY_ONE)
-            o = attempt_claim(f, c, plan, CLAIM_NOT_C0, m, valence, precision);
-        if (!is_final(o) && m != 1 && 2 * m != valence)
-            o = attempt_claim(f, c, plan, CLAIM_FREQUENCY, m, valence, precision);
-        if (!is_final(o) && real)
-            o = attempt_real(f, c, s, plan, i, valence, precision);
-    }
+        o = attempt_claim(f, c, plan, CLAIM_FOLD, 1, false, valence, precision);
+    if (!is_final(o) && s->winds)
+        o = attempt_claim(f, c, plan, CLAIM_WINDING, 1, false, valence, precision);
+    for (int i = 0; !is_final(o) && i < s->candidates.near; i++)
+        o = attempt_block(f, c, s, plan, i, valence, precision);
     if (!is_final(o) && precision >= EXACT_PRECISION && s->candidates.count && !s->no_exact)
         o = attempt_exact(f, c, s, plan, valence, precision);
     return is_final(o) ? o : OUTCOME_FAIL;
@@ -105,15 +135,6 @@ void refute_note_gap(attempt *a, const suspicion *s, const analysis_plan *plan, 
         return;
     snprintf(a->reason + length, sizeof a->reason - length, "; the gap to block %ld is at most 2^-%ld after %ld bits: possibly an exact tie",
              s->candidates.frequency[s->candidates.frequency[0] == 1], bits, precision);
-}
-
-outcome refute_range(findings *f, choices *c, const analysis_plan *plan, valence_range k, long precision)
-{
-    choices_clear(c);
-    c->claim = CLAIM_WINDOW;
-    c->frequency = 2;
-    c->k = k;
-    return attempt_choices(f, c, plan, precision);
 }
 
 /* The two blocks that count. */
@@ -139,19 +160,32 @@ static void describe_jordan(char *text, size_t size, const choices *c, double l)
         snprintf(text, size, "frequency 0 dominates (%.8f exactly, in a Jordan block of %d rows, the largest); nothing turns round the point", l, q);
 }
 
+/* What frequency m makes of a curve round the point. */
+static void describe_frequency(char *text, size_t size, const choices *c, double l, double radius_of_one)
+{
+    int length = snprintf(text, size, "frequency %ld dominates%s (%.8f, frequency 1 has %.8f); ", c->frequency, c->pair ? " by a complex pair" : "", l, radius_of_one);
+    if (c->frequency)
+        snprintf(text + length, size - (size_t)length, "the surface would wind %ld times", c->frequency);
+    else if (c->pair)
+        snprintf(text + length, size - (size_t)length, "the surface would wind 0 times, or a multiple of %ld", c->k.first);
+    else
+        snprintf(text + length, size - (size_t)length, "nothing turns round the point");
+}
+
+static void describe_real(char *text, size_t size, const choices *c, double l, const suspicion *s)
+{
+    double radius;
+    second_block(&radius, &s->candidates, c->frequency);
+    snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); %s", c->frequency, l, c->second_frequency, radius,
+             c->second_frequency ? "the normals have no limit" : "the map of both folds");
+}
+
 void refute_describe(char *text, size_t size, const choices *c, const findings *f, const suspicion *s)
 {
     double l = f->eigenvalue_lower;
     switch (c->claim) {
     case CLAIM_FREQUENCY:
-        if (c->frequency)
-            snprintf(text, size, "frequency %ld dominates (%.8f, frequency 1 has %.8f); the surface would wind %ld times", c->frequency, l, s->candidates.radius_of_one, c->frequency);
-        else
-            snprintf(text, size, "frequency 0 dominates (%.8f, frequency 1 has %.8f); nothing turns round the point", l, s->candidates.radius_of_one);
-        break;
-    case CLAIM_WINDOW:
-        snprintf(text, size, "at each of them a frequency m with m/k from %.6f to %.6f dominates (by %.8f at least); the surface would wind m times",
-                 ldexp((double)c->window.start, -ARC_BITS), ldexp((double)window_choice_end(&c->window), -ARC_BITS), l);
+        describe_frequency(text, size, c, l, s->candidates.radius_of_one);
         break;
     case CLAIM_NOT_C0:
         snprintf(text, size, "block %ld has an eigenvalue beyond 1 (%.8f); there is no continuous limit", c->frequency, l);
@@ -159,9 +193,11 @@ void refute_describe(char *text, size_t size, const choices *c, const findings *
     case CLAIM_FOLD:
         snprintf(text, size, "the characteristic map folds; its Jacobian has both signs");
         break;
+    case CLAIM_WINDING:
+        snprintf(text, size, "winding: the characteristic map winds %ld times round the extraordinary point", f->windings);
+        break;
     case CLAIM_REAL:
-        snprintf(text, size, "block %ld dominates (%.8f), a real function, and then block %ld (%.8f); the normals have no limit", c->frequency, l, c->second_frequency,
-                 s->candidates.radius_of_pair);
+        describe_real(text, size, c, l, s);
         break;
     case CLAIM_TIE:
         describe_tie(text, size, &c->exact, l);

@@ -34,6 +34,7 @@ typedef struct {
     bool plainly_regular;
     double eigenvalue_lower, eigenvalue_upper; /* |L| */
     double jacobian;     /* > 0, a lower bound; NaN: none */
+    long windings;       /* of the curve of an eigenfunction round 0; the frequency, or what was found */
     double radius;       /* of the box round the approximate eigenpair */
     int level;           /* of subdivision */
     long elements;       /* in the certificate's trees */

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #define PI 3.14159265358979323846
 #define RADIUS 200.0
@@ -14,12 +15,17 @@
 /* Points per segment of the curve, and how many of both kinds of things a reader can follow. */
 enum { PIECES = 8, MOST_SECTORS = 400, MOST_NUMBERS = 24 };
 
-/* How far the curve is drawn, in sectors: once round, or what makes two turns of the image. */
-static long sectors_of(const picture *p)
+/* Sectors for one turn of the image, either way. */
+static double sectors_per_turn(const report_entry *e)
 {
-    if (p->valence <= MOST_SECTORS)
-        return p->valence;
-    return 2 * p->valence / p->frequency + 1;
+    return (double)e->picture.valence / (double)labs(e->windings);
+}
+
+/* How far the curve is drawn, in sectors: once round, or what makes two turns of the image. */
+static long sectors_of(const report_entry *e)
+{
+    long valence = e->picture.valence;
+    return valence <= MOST_SECTORS ? valence : (long)(2 * sectors_per_turn(e)) + 1;
 }
 
 /* t in [0, sectors]: the point of the outer curve; its segments follow each other, each from its second vertex to its first
@@ -66,9 +72,10 @@ static const char *turn_style(long turn)
 }
 
 /* The m-th turn ends after k/m sectors. */
-static void image(buffer *z, const picture *p, long sectors)
+static void image(buffer *z, const report_entry *e, long sectors)
 {
-    double scale = RADIUS / largest(p), per_turn = (double)p->valence / (double)p->frequency;
+    const picture *p = &e->picture;
+    double scale = RADIUS / largest(p), per_turn = sectors_per_turn(e);
     int pieces = PIECES * p->ring->boundary_count;
     for (long turn = 0; (double)turn * per_turn < (double)sectors - 1e-9; turn++) {
         double from = (double)turn * per_turn, to = fmin(from + per_turn, (double)sectors);
@@ -91,9 +98,10 @@ static void image(buffer *z, const picture *p, long sectors)
 }
 
 /* The mesh round the vertex: a circle with its sectors, in the turns of the image. */
-static void mesh(buffer *z, const picture *p, long sectors)
+static void mesh(buffer *z, const report_entry *e, long sectors)
 {
-    double per_turn = (double)p->valence / (double)p->frequency;
+    const picture *p = &e->picture;
+    double per_turn = sectors_per_turn(e);
     double radius = 0.8 * RADIUS;
     buffer_print(z, "<circle cx=\"%.0f\" cy=\"%.0f\" r=\"%.0f\" fill=\"none\" stroke=\"" SVG_LIGHT "\"/>\n", LEFT, MIDDLE, radius);
     for (long turn = 0; (double)turn * per_turn < (double)sectors - 1e-9; turn++) {
@@ -120,16 +128,16 @@ static void mesh(buffer *z, const picture *p, long sectors)
 void report_curve(buffer *z, const report *r, const report_entry *e)
 {
     const picture *p = &e->picture;
-    long sectors = sectors_of(p);
+    long sectors = sectors_of(e);
     char text[200];
-    snprintf(text, sizeof text, "Frequency %ld of %s, valence %s: the image winds %ld times", p->frequency, r->scheme.name, e->at_name, p->frequency);
+    snprintf(text, sizeof text, "Frequency %ld of %s, valence %s: the image winds %ld times", p->frequency, r->scheme.name, e->at_name, e->windings);
     svg_begin(z, 4 * RADIUS + 200, MIDDLE + RADIUS + 40, text);
     svg_group(z, "font-size=\"14\" font-weight=\"bold\"");
     svg_text(z, 14, 20, SVG_START, text);
     svg_end_group(z);
     svg_text(z, LEFT, HEADER, SVG_MIDDLE, sectors == p->valence ? "once round the vertex" : "part of the way round the vertex, from the right");
     svg_text(z, RIGHT, HEADER, SVG_MIDDLE, "its image round 0, drawn larger and larger on its way");
-    mesh(z, p, sectors);
-    image(z, p, sectors);
+    mesh(z, e, sectors);
+    image(z, e, sectors);
     svg_end(z);
 }

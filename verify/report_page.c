@@ -100,8 +100,8 @@ static void remark(buffer *z, const report_entry *e)
         svg_escape(z, e->log.reason[0] ? e->log.reason : "there is no log");
     } else if (e->verdict == VERDICT_REFUTED) {
         svg_escape(z, report_reason(e));
-        if (e->claim == CLAIM_FREQUENCY)
-            buffer_print(z, ": %ld", e->frequency);
+        if (e->claim == CLAIM_FREQUENCY || e->claim == CLAIM_WINDING)
+            buffer_print(z, ": %ld", e->windings);
     } else if (e->plainly_regular)
         buffer_print(z, "no rule holds there: the regular complex");
     buffer_print(z, "</td>");

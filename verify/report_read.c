@@ -241,7 +241,8 @@ const char *report_reason(const report_entry *e)
 {
     static const char *const reasons[] = {
         [CLAIM_C1] = "C1", [CLAIM_FREQUENCY] = "another frequency dominates", [CLAIM_NOT_C0] = "an eigenvalue beyond 1: not even continuous",
-        [CLAIM_FOLD] = "the characteristic map folds", [CLAIM_TIE] = "too many blocks share the largest modulus",
+        [CLAIM_FOLD] = "the characteristic map folds", [CLAIM_WINDING] = "the characteristic map does not wind once", [CLAIM_GRADED] = "an eigenvalue beyond 1 that grows with the valence: not even continuous",
+        [CLAIM_REAL] = "a single real function dominates", [CLAIM_TIE] = "too many blocks share the largest modulus",
         [CLAIM_JORDAN] = "a larger Jordan block dominates", [CLAIM_MODULUS_ONE] = "an eigenvalue of modulus 1: not even continuous"};
     return (size_t)e->claim < sizeof reasons / sizeof *reasons && reasons[e->claim] ? reasons[e->claim] : "not C1";
 }
@@ -284,6 +285,7 @@ static void note_findings(report_entry *e, const findings *f)
 {
     e->eigenvalue_lower = f->eigenvalue_lower;
     e->eigenvalue_upper = f->eigenvalue_upper;
+    e->windings = e->claim == CLAIM_WINDING ? f->windings : e->frequency;
     e->jacobian = e->claim == CLAIM_C1 && !e->plainly_regular ? f->jacobian : NAN;
     for (int i = 0; i < f->attempt_count; i++) {
         e->elements += f->attempts[i].elements;

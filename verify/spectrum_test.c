@@ -79,6 +79,29 @@ static outcome prove_plain(analysis *a, size_t *next)
     return o;
 }
 
+static bool is_not_zero(const number *x)
+{
+    return number_is_positive(x) == TRUTH_TRUE || number_is_negative(x) == TRUTH_TRUE;
+}
+
+/* Block 0 or k/2 without the pair of L, which must not be real. */
+static outcome prove_pair(analysis *a, size_t *next)
+{
+    const eigenpair_choice *e = &a->choices->eigenpair;
+    int n = a->order / 2 - 2, second = eigenpair_choice_second_pivot(e);
+    number *rest;
+    outcome o;
+    if (second < 0 || !is_not_zero(&a->box[a->order + 1]) || !is_not_zero(&a->box[a->order / 2 + second]))
+        return findings_explain(a->findings, OUTCOME_FAIL, "the dominant eigenvalue of block %ld could not be shown not to be real", a->choices->frequency);
+    rest = number_array_new((size_t)n * (size_t)n);
+    if (!rest)
+        return OUTCOME_NO_MEMORY;
+    matrix_deflate_pair(rest, a->matrix, a->box, a->order, e->pivot, second, a->prec);
+    o = contract(a, rest, n, a->choices->frequency, next);
+    number_array_free(rest, (size_t)n * (size_t)n);
+    return o;
+}
+
 /* The block of L without L. */
 static outcome prove_dominant(analysis *a, size_t *next)
 {
@@ -171,7 +194,7 @@ static outcome prove_special(analysis *a, long m, size_t *next)
         return OUTCOME_TRUE;
     if (second)
         analysis_exchange(a);
-    o = prove_dominant(a, next);
+    o = (a->choices->pair ? prove_pair : prove_dominant)(a, next);
     if (second)
         analysis_exchange(a);
     return o;

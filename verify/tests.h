@@ -7,11 +7,13 @@
 
 #include "adaptive.h"
 #include "analysis.h"
+#include "buffer.h"
 #include "uniform_net.h"
 
 #define analysis_tests NUMBER_NAME(analysis_tests)
 #define test_regular_complex NUMBER_NAME(test_regular_complex)
 #define test_window NUMBER_NAME(test_window)
+#define test_graded NUMBER_NAME(test_graded)
 #define test_eigenpair NUMBER_NAME(test_eigenpair)
 #define test_spectrum NUMBER_NAME(test_spectrum)
 #define test_regularity NUMBER_NAME(test_regularity)
@@ -19,6 +21,7 @@
 #define test_zero_free NUMBER_NAME(test_zero_free)
 #define test_nonzero NUMBER_NAME(test_nonzero)
 #define test_fold NUMBER_NAME(test_fold)
+#define test_winding NUMBER_NAME(test_winding)
 #define test_second NUMBER_NAME(test_second)
 #define test_real NUMBER_NAME(test_real)
 #define analysis_exchange NUMBER_NAME(analysis_exchange)
@@ -29,6 +32,7 @@
 #define exact_free NUMBER_NAME(exact_free)
 #define analysis_seek NUMBER_NAME(analysis_seek)
 #define analysis_seek_nonzero NUMBER_NAME(analysis_seek_nonzero)
+#define analysis_follow_curve NUMBER_NAME(analysis_follow_curve)
 
 #define outcome_from_block NUMBER_NAME(outcome_from_block)
 #define analysis_make_block NUMBER_NAME(analysis_make_block)
@@ -103,6 +107,8 @@ void adaptive_jacobian(number *z, const number *const x[], const number *const y
 outcome test_nonzero(analysis *a);
 /* The Jacobian is positive somewhere on the ring, and negative somewhere else. */
 outcome test_fold(analysis *a);
+/* The outer curve, on which the characteristic map has no zero, winds several times, or the wrong way round. */
+outcome test_winding(analysis *a);
 
 /* CLAIM_REAL: the second eigenvalue is simple in its block, and smaller than the first; the scale is its own. */
 outcome test_second(analysis *a);
@@ -122,8 +128,14 @@ outcome test_exact(analysis *a);
 outcome test_exact_witnesses(analysis *a);
 void exact_free(analysis *a);
 
-/* a->box: the eigenpair of a->dominant, by choices that are found or followed (only for affine numbers). */
+/* The matrix of the eigenpair: that of the block, unless something else is made of it. */
+static inline const number *analysis_matrix(const analysis *a) { return a->matrix ? a->matrix : a->dominant.entry; }
+
+/* a->box: the eigenpair of analysis_matrix(a), of order a->order, by choices that are found or followed (only for affine numbers). */
 outcome analysis_prove_pair(analysis *a, eigenpair_choice *e, const char *of_what);
+
+/* The eigenvalue of block 0 that grows without bound with the valence, scaled, and its net (only for affine numbers). */
+outcome test_graded(analysis *a);
 
 /* At every valence the blocks of some frequencies in a window dominate, simply, and their eigenfunctions have no zero on the outer
    curve (only for affine numbers). */
@@ -145,7 +157,11 @@ outcome analysis_subdivide(analysis *a, adaptive_task *task, tree_word *word, co
    witness that there is. */
 outcome analysis_seek(analysis *a, adaptive_task *task, witness_choice *witness, const element *elements, int count);
 
-/* The same where the eigenfunction of the net is not 0, on the outer curve. */
+/* The eigenfunction has no zero on the outer curve, by the trees of the choices.  directions: NULL, or the direction of each leaf, in
+   the order of the trees, a digit d: its box is where x > 0, y > 0, x < 0 or y < 0, d = 0, 1, 2 or 3, the first that is true. */
+outcome analysis_follow_curve(analysis *a, buffer *directions);
+
+/* Looks for a place where the eigenfunction of the net is not 0, on the outer curve, or follows the witness that there is. */
 outcome analysis_seek_nonzero(analysis *a, witness_choice *witness);
 
 /* Regularity, isolation and winding number by the uniform method (uniform.h), as far down as the plan allows.

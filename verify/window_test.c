@@ -23,6 +23,7 @@ static outcome make_block(analysis *a, int64_t from, const window_wave *w)
     arc_init(&r);
     if (arc_set_units(&r, from, w->q))
         o = analysis_from_block(a, block_make_over(&a->dominant, &a->numbers, m, &r, &d), &d);
+    a->order = a->dominant.n;
     arc_clear(&r);
     return o;
 }
@@ -58,23 +59,19 @@ static outcome bound_pair(analysis *a, bool *strong)
 /* All other eigenvalues of the blocks are below the bound. */
 static outcome bound_rest(analysis *a, window_wave *w)
 {
-    int n = a->order - 1;
-    size_t size = (size_t)n * (size_t)n;
-    base_number *rest = base_array_new(size);
-    outcome o = OUTCOME_NO_MEMORY;
-    if (rest) {
-        BASE_NAME(affine_deflate)(rest, a->dominant.entry, a->box, a->order, w->eigenpair.pivot, a->prec);
-        o = BASE_NAME(range_contract)(&w->power, rest, n, &a->scale.centre, a->replay, a->prec);
-        base_array_free(rest, size);
-    }
-    return o == OUTCOME_FAIL ? findings_explain(a->findings, o, "a second eigenvalue of a block in the window could not be shown to be smaller") : o;
+    spectral_answer rest = BASE_NAME(affine_contract_rest)(a->dominant.entry, a->box, a->order, w->eigenpair.pivot, &a->scale.centre, a->replay ? w->power : 0,
+                                                           a->replay ? w->power : CHOICES_MAX_POWER, a->prec);
+    w->power = rest.power;
+    if (rest.contracts == TRUTH_UNKNOWN)
+        return findings_explain(a->findings, OUTCOME_FAIL, "a second eigenvalue of a block in the window could not be shown to be smaller");
+    return rest.contracts == TRUTH_TRUE ? OUTCOME_TRUE : OUTCOME_NO_MEMORY;
 }
 
 /* The eigenfunctions have no zero on the outer curve, by the trees of the wave. */
 static outcome prove_curve(analysis *a, window_wave *w)
 {
     tree_word kept = a->choices->boundary;
-    outcome o = analysis_from_block(a, charnet_make(&a->net, &a->dominant, a->box, &a->numbers, a->plan->problem->geometry.rings), NULL);
+    outcome o = analysis_from_block(a, charnet_make(&a->net, &a->dominant, a->box, false, &a->numbers, a->plan->problem->geometry.rings), NULL);
     a->net_made = o == OUTCOME_TRUE;
     a->choices->boundary = w->boundary;
     if (o == OUTCOME_TRUE)

@@ -163,8 +163,8 @@ bad_schemes() {
   with 5 'mask' | bad one-entry-for-six 5: 'sum to 1 in each class'
   with 6 '(0,0) 1/2' | bad weights-that-do-not-sum-to-1 5: 'sum to 1 in each class'
   with 7 '(1,0) 3/8 + 1/1000000000000000000000000000000' | bad sum-off-by-very-little 5: 'sum to 1 in each class'
-  with 6 '(0,0) 5/8 + cos(pi/5) - cos(pi/5)' | bad irrational-mask 6:1 'exactly rational'
-  with 6 '(0,0) pi/8' | bad angle-in-the-mask 6:1 'exactly rational'
+  with 6 '(0,0) 5/8 + cos(pi/5) - cos(pi/5)' | bad irrational-mask 6:7 'exactly rational'
+  with 6 '(0,0) pi/8' | bad angle-in-the-mask 6:7 'exactly rational'
   with 6 '(0,0) 5/8 + 0*k' | bad valence-in-the-mask 6: 'expected a number'
   with 9 '(1,0) 0' | bad point-named-twice 9:1 'no weight yet'
   with 9 '(9,0) 0' | bad point-too-far 9:1 'distance of at most 8'
@@ -174,14 +174,14 @@ bad_schemes() {
   with 9 '(2,0)' | bad point-without-weight 9:6 'expected a number'
   with 12 'centre rest' | bad two-rests 13:11 'exactly one'
   with 13 'all (1,0) 1' | bad no-rest 13:11 'exactly one'
-  with 13 'all (1,1) rest' | bad other-points 13:5 '(1,0)'
+  with 13 'all (1,1) rest' | bad other-points '' 'a scheme of version 0'
   with 13 'all (1,0) rest rest' | bad rest-and-more 13:16 'expected the end of the line'
   with 14 'end end' | bad end-and-more 14:5 'expected the end of the line'
   with 14 "end
 rule centre
 centre 1
 all (1,0) rest
-end" | bad more-after-the-rule 15:1 'expected the end of the line'
+end" | bad more-after-the-rule '' 'a scheme of version 0'
   with 12 'centre 1/(k-3)' | bad division-by-zero 12: 'division by zero'
   with 12 'centre 1/(cos(2*pi/7)-cos(2*pi/7))' | bad division-by-enclosure-of-zero 12: 'division by an enclosure of zero'
   with 12 'centre (k-3)^-1' | bad inverse-of-zero 12: 'division by zero'
@@ -190,8 +190,8 @@ end" | bad more-after-the-rule 15:1 'expected the end of the line'
   with 12 'centre cos(pi^2)' | bad cosine-of-pi-squared 12: 'multiple of pi'
   with 12 'centre sin(cos(pi/5))' | bad sine-of-cosine 12: 'multiple of pi'
   with 12 'centre 2^3^2' | bad tower-of-powers 12:11 'expected the end of the line'
-  with 12 'centre 2^65' | bad exponent-65 12: 'at most 64'
-  with 12 'centre 2^k' | bad exponent-k 12:10 'digits of an exponent'
+  with 12 'centre 2^65' | bad exponent-65 '' 'a scheme of version 0'
+  with 12 'centre 2^k' | bad exponent-k '' 'a scheme of version 0'
   with 12 'centre 1.' | bad point-behind-number 12: 'expected a digit'
   with 12 'centre 1.5.2' | bad two-points 12: 'expected the end of the line'
   with 12 'centre 1e5' | bad floating-point-number 12: 'expected the end of the line'
@@ -214,7 +214,7 @@ end" | bad more-after-the-rule 15:1 'expected the end of the line'
     for p in 2,4 -4,6 -6,2 -2,-4 4,-6 6,-2; do echo "($p) -1/100"; done
     with 5 mask | sed -n 10,14p
   } >chiral
-  bad mirror-asymmetric 5: '(j,i)' <chiral
+  bad mirror-asymmetric '' 'a scheme of version 0' <chiral
   {
     with 5 mask | sed -n 1,5p
     echo '(0,0) 5/8'

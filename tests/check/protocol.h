@@ -37,7 +37,7 @@ static void end(void)
 
 static uint64_t random_state = 88172645463325252u;
 
-static uint32_t random_word(void)
+static inline uint32_t random_word(void)
 {
     random_state ^= random_state << 13;
     random_state ^= random_state >> 7;

@@ -182,14 +182,14 @@ mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
 mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
 mask centre-of-the-mask 1 'limit: the mask does not keep the value at the centre' '/^rule centre/,/^end/d'
-mask rule-depends-on-k 1 'limit: it is for all valences' '/^claim/i\
+mask rule-depends-on-k 1 'limit: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4 + 0*k\
 (1,0) 1/4\
 (1,0) @ 1 1/4\
 (1,1) rest\
 end'
-mask rule-with-all-sectors 1 'limit: a rule has sources in all sectors' '/^claim/i\
+mask rule-with-all-sectors 1 'limit: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4\
 (1,0) 1/4\
@@ -245,6 +245,33 @@ cup window 1 'form' 's/^frequency 0/frequency window/'
 cup range 1 'range: it is smaller' 's/^range .*/range 1/'
 denial centre-above-3-4 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" 3..6 beyond 1 'block 1\|cover' 's/^valence 3 4/valence 3 6/'
 
+# Growing without bound: 1 - k/16 at the centre
+
+graded() { denial centre-grows-64-70 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" "$@"; }
+graded 64..70 nothing 0 '^verified: centre-grows is not C1 at valences 64..70 (frequency 0: 3.33.* <= |L| (64/k)^1 <= 3.47' ''
+graded 64..inf wider 1 'radius: the Krawczyk' 's/^valence 64 70/valence 64 inf/'
+graded 3..5 elsewhere 1 'radius: the Krawczyk' 's/^valence 64 70/valence 3 5/'
+graded 64..70 unit 1 'radius: the Krawczyk' 's/^unit 64/unit 63/'
+graded 64..70 unit-0 1 'unit: it is not positive' 's/^unit 64/unit 0/'
+graded 64..70 unit-large 2 'number in' 's/^unit 64/unit 1000000001/'
+graded 64..70 degree-0 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+graded 64..70 degree-2 1 'radius: the Krawczyk' 's/^degree 1/degree 2/'
+graded 64..70 degree-large 2 'number in' 's/^degree 1/degree 65/'
+graded 64..70 grade-small 1 'grades: the scaled block grows' 's/^grades 0 1 1 1/grades 1 0 1 1/'
+graded 64..70 grade-other 1 'Krawczyk' 's/^grades 0 1 1 1/grades 0 1 1 0/'
+graded 64..70 grade-large 2 'number in' 's/^grades 0 1 1 1/grades 0 1 1 65/'
+graded 64..70 grade-missing 1 'grades: expected more' 's/^grades 0 1 1 1/grades 0 1 1/'
+graded 64..70 grade-extra 1 'grades: expected no more' 's/^grades 0 1 1 1/& 1/'
+graded 64..70 eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue -3/eigenvalue -4/'
+graded 64..70 eigenvalue-positive 1 'radius: the Krawczyk' 's/^eigenvalue -/eigenvalue /'
+graded 64..70 witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+graded 64..70 witness-element 1 'witness: there are' 's/^witness .*/witness 100 -/'
+graded 64..70 frequency 1 'form' 's/^frequency 0/frequency 2/'
+graded 64..70 reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
+graded 64..70 plain 1 'expected .pivot' 's/^form graded/form plain/'
+denial centre-grows-20-22 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 20..22 small 1 'not proved to be larger than 1' ''
+graded 64 one-valence 1 'form: .graded. is for' 's/^valence 64 70/valence 64/'
+
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
 growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
 growth 3..inf from-3 0 '^verified: centre-divergent is not C1 at valences 3..inf ' 's/^valence 5/valence 3/'
@@ -255,6 +282,62 @@ growth 5..inf eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
 growth 5..inf witness 1 'witness' 's/^witness \([0-9]*\) .*/witness 1000 -/'
 growth 5..inf cover 1 'expected .witness' 's/^witness.*/cover 1 inf 800000000000 9\
 &/'
+
+# What the prover writes, and one lie each
+
+# told CERTIFICATE VALENCES NAME ...: the scheme is what the certificate says it is.
+told() {
+  sed -n '/^claim/q;3,$p' "$here/$1.cert" >told.scheme
+  certificate=$1 valences=$2
+  shift 2
+  denial "$certificate" told.scheme "$valences" "$@"
+}
+sixteenth() { told sixteenth-112-inf 112..inf "$@"; }
+sixteenth nothing 0 '^verified: loop-sixteenth is not C1 at valences 112..inf' ''
+sixteenth unit 1 'Krawczyk' 's/^unit 16/unit 15/'
+sixteenth degree 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+sixteenth degree-2 1 'Krawczyk' 's/^degree 1/degree 2/'
+sixteenth grade 1 'grades: the scaled block grows' 's/^grades 0 1 1 1/grades 0 1 1 2/'
+sixteenth grade-smaller 1 'Krawczyk' 's/^grades 0 1 1 1/grades 0 1 1 0/'
+sixteenth grade-of-centre 1 'grades: the scaled block grows' 's/^grades 0/grades 2/'
+sixteenth eigenvalue 1 'Krawczyk' 's/^eigenvalue -f/eigenvalue -e/'
+sixteenth sign 1 'Krawczyk' 's/^eigenvalue -/eigenvalue /'
+sixteenth eigenvector 1 'Krawczyk' 's/^eigenvector -6/eigenvector -5/'
+sixteenth witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+sixteenth witness-elsewhere 1 'witness: there are' 's/^witness .*/witness 4 001/'
+sixteenth reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
+told sixteenth-112-inf 19..inf from-19 1 'Krawczyk' 's/^valence 112 inf/valence 19 inf/'
+told sixteenth-112-inf 5..19 proved-to-be-c1 1 'Krawczyk' 's/^valence 112 inf/valence 5 19/'
+told sixteenth-112-inf 26..27 modulus-one 1 'Krawczyk' 's/^valence 112 inf/valence 26 27/'
+denial sixteenth-112-inf "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 112..inf another-scheme 1 'scheme' ''
+sixteenth slower 1 'scheme' 's:k/16:k/17:'
+
+turns() { told two-turns-30-inf 30..inf "$@"; }
+turns nothing 0 '^verified: two-turns is not C1 at valences 30..inf (frequency 2: 0.599' ''
+turns frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/;s/^block 2 2/block 3 3/'
+turns frequency-1 1 'frequency: it is beyond' 's/^frequency 2/frequency 1/;s/^block 2 2/block 1 1/'
+turns block-0 1 'expected .block' '/^block 0/d'
+turns below-missing 1 'cover: ' '/^cover 1 1/d'
+turns above-missing 1 'cover: ' '/^cover 3/d'
+turns itself-covered 1 'cover: ' 's/^cover 1 1/cover 1 2/'
+turns not-c0 1 'expected .witness' 's/^reason frequency/reason not-c0/'
+turns boundary 1 'boundary' 's/^boundary 0/boundary /'
+told two-turns-30-inf 4..inf from-4 1 'frequency: it is beyond' 's/^valence 30/valence 4/'
+told two-turns-30-inf 3..inf from-3 1 'frequency: it is beyond' 's/^valence 30/valence 3/'
+
+rules() { told centre-rules-4-inf 4..inf "$@"; }
+rules nothing 0 '^verified: centre-powers is not C1 at valences 4..inf (frequency 0: 0.86' ''
+rules eigenvalue 1 'Krawczyk' 's/^eigenvalue d/eigenvalue c/'
+rules frequency 1 'frequency: it is beyond' 's/^frequency 0/frequency 2/'
+rules cover 1 'cover' 's/^cover 1/cover 2/'
+rules graded 1 'eigenvector: expected more' 's/^form plain/form graded\nunit 1\ndegree 0\ngrades 0 0 0 0/;s/^reason frequency/reason not-c0/'
+
+folds() { told fold-33-35 33..35 "$@"; }
+folds nothing 0 '^verified: doo-sabin-spectrum is not C1 at valences 33..35' ''
+folds one-witness 1 'witness' '0,/^witness/{/^witness/d;}'
+folds same-sign 1 'witness' 's/^witness 8 .*/witness 4 0000/'
+folds other-sign 1 'witness' 's/^witness 4 .*/witness 8 3333333/'
+told fold-33-35 37..39 farther 1 'Krawczyk' 's/^valence 33 35/valence 37 39/'
 
 # A window of frequencies: Butterfly from 25 on
 

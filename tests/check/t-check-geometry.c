@@ -223,7 +223,7 @@ static const struct scheme *read_text(const char *text)
     size_t size;
 
     text_canonical("scheme", text, strlen(text), &size);
-    scheme_read(out, "scheme", text, strlen(text), NULL, 0);
+    scheme_read(out, "scheme", text, strlen(text));
     return out;
 }
 

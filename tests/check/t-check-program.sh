@@ -228,7 +228,7 @@ language order 2 'expected .mesh' '/^mesh/d'
 language unended 2 'end of the file' '$d'
 language more 2 'end of the line' '$s/.*/&\
 end/'
-language point 2 'only point' 's/(1,0)  rest/(1,1)  rest/'
+language point 2 'a scheme of version 0' 's/(1,0)  rest/(1,1)  rest/'
 
 # Not the scheme that the eigenpair, the powers or the trees belong to.
 language other-centre 1 'power' 's,^  centre .*,  centre 1,'

@@ -19,8 +19,8 @@
 #include "../../verify/check/scheme.c"
 #include "../../verify/check/valence.c"
 #include "../../verify/check/sector.c"
+#include "../../verify/check/eigenpair.c"
 #include "../../verify/check/spectrum.c"
-#include "../../verify/check/slopes.c"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,7 +83,8 @@ static struct function draw_function(const rational t[2])
 static struct function apply_both(struct function f, char operation, struct function h)
 {
     for (int i = 0; i < 2; i++)
-        f.at[i] = apply_exactly(f.at[i], operation, h.at[i]);
+        f.at[i] = operation == '-' ? rational_sub(f.at[i], h.at[i])
+                                   : apply_to_ends(f.at[i], operation, h.at[i]);
     f.x = operation == '+' ? affine_add(f.x, h.x) : operation == '-' ? affine_sub(f.x, h.x)
         : operation == '*' ? affine_mul(f.x, h.x, G) : affine_div(f.x, h.x, G);
     return f;
@@ -276,7 +277,9 @@ static bool slopes_are(int64_t b)
     integer inverse[4] = { grid_from_rational(rational_from(64, 9), 32).lo,
                            grid_from_rational(rational_from(-8, 3), 32).lo,
                            grid_from(-1, 32).lo, integer_from(0) };
-    struct certificate c = { .file = "certificate", .real = true, .n = 2, .size = 2 };
+    struct certificate c = {
+        .file = "certificate", .grid = FINE, .valence = { 3, 4 }, .real = true, .n = 2, .size = 2
+    };
     struct choices choices = { .pivot = 1, .eigenvector = &eigenvector, .inverse = inverse };
     struct eigenpair pair;
     bool good = true;
@@ -285,7 +288,7 @@ static bool slopes_are(int64_t b)
     choices.eigenvalue[1] = integer_from(0);
     choices.radius = integer_shift_left(integer_from(1), FINE - 28);
     choices.range = integer_shift_left(integer_from(1), FINE - 5);
-    pair = slopes_prove_eigenpair(m, FINE, &choices, &c);
+    pair = eigenpair_prove(m, &choices, &c);
     for (int t = -1; t <= 1; t++) {                /* L(t) and x(t) are enclosed */
         rational l = rational_from(512 + b * t, 1024);
         rational x = rational_divide(rational_from(1, 1), rational_sub(l, rational_from(1, 8)));
@@ -329,7 +332,7 @@ static bool blocks_fit(const char *name, int64_t first, int64_t last, struct spa
     snprintf(file, sizeof file, "%s/lib/catalogue/%s.scheme", source != NULL ? source : ".",
              name);
     text = text_read_file(file, 65536, &size);
-    scheme_read(scheme, file, text, size, NULL, 0);
+    scheme_read(scheme, file, text, size);
     valence_prepare(&all, scheme, reference, (struct span) { first, last }, FINE);
     block_prepare_over(&block, &all, m, u);
     matrix = block_matrix(&block);

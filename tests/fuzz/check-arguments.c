@@ -21,7 +21,7 @@ static void read_them(void *argument)
     struct claim *claim = allocate(1, sizeof *claim);
 
     read_arguments(a, in->count, in->argument);
-    claim_read(claim, a->valence);
+    claim_read(claim, a->value[VALENCE]);
     for (int i = 0; i < claim->count; i++)
         if (claim->span[i].first < 3 || claim->span[i].last < claim->span[i].first ||
             (i > 0 && claim->span[i].first <= claim->span[i - 1].last))

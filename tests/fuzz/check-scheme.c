@@ -19,7 +19,7 @@ static void read_scheme(void *argument)
     size_t size;
 
     text_canonical("scheme", in->text, in->size, &size);
-    scheme_read(s, "scheme", in->text, in->size, NULL, 0);
+    scheme_read(s, "scheme", in->text, in->size);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)

@@ -48,7 +48,7 @@ static bool make_setting(setting *z, const char *text, int k, int more_rings)
     z->box = number_array_new((size_t)z->block.n + 1);
     CHECK(eigenpair_choose(&z->choice, z->block.entry, z->block.n, false, GRID, PRECISION) == TRUTH_TRUE
               && eigenpair_prove(z->box, &z->choice, z->block.entry, PRECISION) == TRUTH_TRUE, "no eigenpair at k = %d", k);
-    CHECK(charnet_make(&z->net, &z->block, z->box, &z->numbers, z->ring.rings + more_rings) == BLOCK_OK, "no net at k = %d", k);
+    CHECK(charnet_make(&z->net, &z->block, z->box, false, &z->numbers, z->ring.rings + more_rings) == BLOCK_OK, "no net at k = %d", k);
     return !test_failed();
 }
 

@@ -44,7 +44,7 @@ static bool make_setting(setting *z, const char *name, valence_range k)
     CHECK(BASE_NAME(eigenpair_affine_choose)(&z->choice, z->block.entry, z->block.n, GRID, PRECISION) == TRUTH_TRUE
               && BASE_NAME(eigenpair_affine_prove)(z->box, &z->choice, z->block.entry, z->block.n, PRECISION) == TRUTH_TRUE,
           "%s, %ld to %ld: no pair", name, k.first, k.last);
-    CHECK(charnet_make(&z->net, &z->block, z->box, &z->numbers, z->ring.rings) == BLOCK_OK, "%s, %ld to %ld: no net", name, k.first, k.last);
+    CHECK(charnet_make(&z->net, &z->block, z->box, false, &z->numbers, z->ring.rings) == BLOCK_OK, "%s, %ld to %ld: no net", name, k.first, k.last);
     arc_clear(&r);
     return !test_failed();
 }

@@ -91,7 +91,7 @@ static bool make_setting(setting *z, const char *name, long k, bool real)
     CHECK(eigenpair_choose(&z->choice, m, order, !z->real, GRID, PRECISION) == TRUTH_TRUE, "%s, k = %ld: no eigenpair found", name, k);
     CHECK(test_failed() || eigenpair_prove(z->box, &z->choice, m, PRECISION) == TRUTH_TRUE, "%s, k = %ld: no eigenpair proved", name, k);
     number_array_free(m, (size_t)(order * order));
-    CHECK(test_failed() || charnet_make(&z->net, &z->block, z->box, &z->numbers, z->ring.rings) == BLOCK_OK, "%s: no net at k = %ld", name, k);
+    CHECK(test_failed() || charnet_make(&z->net, &z->block, z->box, z->block.imaginary != NULL, &z->numbers, z->ring.rings) == BLOCK_OK, "%s: no net at k = %ld", name, k);
     CHECK(test_failed() || z->net.rings >= z->ring.rings, "%s: %d rings", name, z->net.rings);
     return !test_failed();
 }

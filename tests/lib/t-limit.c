@@ -2,6 +2,7 @@
 #include "lib/eigen_approx.h"
 #include "lib/eigenpair_affine.h"
 #include "lib/limit.h"
+#include "lib/laurent_value.h"
 #include "lib/resting_centre.h"
 
 #include <math.h>

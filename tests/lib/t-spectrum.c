@@ -21,10 +21,10 @@ static long random_prec(void)
     return precisions[random_below(PRECISIONS)];
 }
 
-/* Do the traces of the powers of b, n x n, contain those of d / denominator without the first eigenvalue? */
-static void check_traces(const number *b, const known_matrix *m, long prec)
+/* Do the traces of the powers of b, n x n, contain those of d / denominator without the first eigenvalues? */
+static void check_traces(const number *b, const known_matrix *m, int without, long prec)
 {
-    int n = m->n - 1;
+    int n = m->n - without;
     size_t size = (size_t)(n * n);
     number *now = number_array_new(size), *next = number_array_new(size);
     number trace;
@@ -37,7 +37,7 @@ static void check_traces(const number *b, const known_matrix *m, long prec)
         number_zero(&trace);
         for (int i = 0; i < n; i++)
             number_add(&trace, &trace, &now[i * n + i], prec);
-        trace_of_power(&q, m, 1, p);
+        trace_of_power(&q, m, without, p);
         double about = rational_get_double_approx(&q);
         CHECK(number_contains_rational(&trace, &q), "n = %d: the trace of power %d is not %.12g, but %.12g", m->n, p, about, number_mid_approx(&trace));
         CHECK(number_upper_bound(&trace) - number_lower_bound(&trace) < 1e-6 * pow(1000, p), "the trace is wide");
@@ -78,13 +78,61 @@ static void check_deflation(bool ones)
         CHECK(!ones || m.p[i][0] == 1, "the test itself");
     }
     matrix_deflate(rest, b, ones ? NULL : x, n, pivot, prec);
-    check_traces(rest, &m, prec);
+    check_traces(rest, &m, 1, prec);
     number_array_free(b, (size_t)(n * n)), number_array_free(x, (size_t)n), number_array_free(rest, (size_t)((n - 1) * (n - 1)));
     rational_clear(&q);
 }
 
+/* x = P (e_0 - i e_1) / its component `pivot`: the eigenvector of (d_00 + i d_10) / denominator. */
+static void make_eigenvector(number *x, const known_matrix *m, int pivot, long prec)
+{
+    long c = m->p[pivot][0], d = m->p[pivot][1];
+    rational q;
+    rational_init(&q);
+    for (int i = 0; i < m->n; i++) {
+        long a = m->p[i][0], b = m->p[i][1];
+        MUST(rational_set_si(&q, a * c + b * d, c * c + d * d));
+        number_set_rational(&x[i], &q, prec);
+        MUST(rational_set_si(&q, a * d - b * c, c * c + d * d));
+        number_set_rational(&x[i + m->n], &q, prec);
+    }
+    rational_clear(&q);
+}
+
+static void check_pair_deflation(void)
+{
+    known_matrix m = {.n = (int)random_range(2, MATRIX_MAX)};
+    long prec = random_prec();
+    int n = m.n, pivot, second;
+    m.d[0][0] = m.d[1][1] = random_range(-6, 6);
+    m.d[1][0] = random_range(1, 6) * (random_bool() ? 1 : -1);
+    m.d[0][1] = -m.d[1][0];
+    random_blocks(&m, 2, 9);
+    random_denominator(&m);
+    transform(&m, 2 * n, 0);
+    do {
+        pivot = (int)random_below((uint64_t)n);
+        second = (int)random_below((uint64_t)n);
+    } while (m.p[second][0] * m.p[pivot][1] == m.p[second][1] * m.p[pivot][0]);
+    number *a = matrix_numbers(&m, prec), *b = number_array_new((size_t)(4 * n * n)), *x = number_array_new((size_t)(2 * n));
+    number *rest = number_array_new((size_t)((n - 2) * (n - 2)));
+    for (int i = 0; i < n * n; i++) {
+        number_set(&b[i / n * 2 * n + i % n], &a[i]);
+        number_set(&b[(i / n + n) * 2 * n + i % n + n], &a[i]);
+    }
+    make_eigenvector(x, &m, pivot, prec);
+    matrix_deflate_pair(rest, b, x, 2 * n, pivot, second, prec);
+    check_traces(rest, &m, 2, prec);
+    number_array_free(a, (size_t)(n * n)), number_array_free(b, (size_t)(4 * n * n)), number_array_free(x, (size_t)(2 * n));
+    number_array_free(rest, (size_t)((n - 2) * (n - 2)));
+}
+
 static void test_deflation(void)
 {
+    test_begin("spectrum-deflate-pair");
+    for (test_cases(300); test_next();)
+        check_pair_deflation();
+    test_end();
     test_begin("spectrum-deflate");
     for (test_cases(300); test_next();)
         check_deflation(false);

@@ -194,6 +194,8 @@ looking() {
   expect show-refuted 0 'butterfly is not C1 at valence 8' show "$SRCDIR/tests/certificates/accept-1/butterfly-8.cert"
   expect show-complex 0 'complex form' show "$SRCDIR/tests/certificates/accept-1/loop-spiral-5.cert"
   expect show-fold 0 'the Jacobian is negative on element' show "$SRCDIR/tests/certificates/accept-1/doo-sabin-fold-3.cert"
+  expect show-winding 0 'it winds -4 times round the extraordinary point' show "$SRCDIR/tests/certificates/accept-1/winding-quad-5.cert"
+  expect show-pair 0 'of block 0 (complex form, order 6)' show "$SRCDIR/tests/certificates/accept-1/pair-cups-5.cert"
   expect show-old 0 'claims that loop is C1 at valence 3' show "$SRCDIR/tests/certificates/accept/loop-3.cert"
   sed 's/^valence 7/valence 8/' a/valence-7.cert >lie.cert
   expect show-lie 65 'lie.cert: claims that loop is C1 at valence 8' show lie.cert

@@ -116,6 +116,9 @@ not_c1() {
   refuted loop-ring-l2 'frequency 2 dominates' loop-ring --set l=1/4 --set l2=1/2 --valence 5,8
   refuted loop-ring-real 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=3/4 --valence 4
   refuted loop-ring-real-negative 'block 2 dominates (0.75000000), a real function, and then block 1 (0.50000000)' loop-ring --set l2=-3/4 --valence 4
+  refuted loop-ring-real-fold 'block 2 dominates (0.80000000), a real function, and then block 0 (0.70000000); the map of both folds' loop-ring --set l2=4/5 --set z=7/10 --valence 4
+  refuted loop-ring-real-fold-negative 'block 2 dominates (0.80000000), a real function, and then block 0 (0.70000000); the map of both folds' loop-ring --set l2=-4/5 --set z=-7/10 --set a=1/2 --valence 4
+  not_proved loop-ring-real-tie loop-ring --set l2=4/5 --set z=4/5 --valence 4
   not_proved loop-ring-l2-half loop-ring --set l=1/4 --set l2=1/2 --valence 4 --max-precision 512
   refuted doo-sabin-3 'the characteristic map folds' doo-sabin-spectrum --set l=9/10 --set others=1/5 --valence 3
   refuted loop-ring-z 'frequency 0 dominates' loop-ring --set z=3/4 --valence 3,8
@@ -181,6 +184,34 @@ folds() {
   not_proved fold-spiral loop-spiral --set turn=1/2 --valence 3 --max-precision 256
 }
 
+# Characteristic maps that do not wind once, and pairs of eigenvalues of block 0 or k/2 that are not real.  What the numbers are is known
+# from matrices of the whole complex.
+windings_and_pairs() {
+  made=$SRCDIR/tests/certificates/schemes
+  refuted winding-triangle 'winding: the characteristic map winds -2 times round the extraordinary point' "$made/winding-triangle.scheme" --valence 3
+  refuted winding-negative 'winding: the characteristic map winds -2 times round the extraordinary point; L = -0.5' "$made/winding-negative.scheme" --valence 3
+  refuted winding-quad 'winding: the characteristic map winds -[2345] times' "$made/winding-quad.scheme" --valence 3..6
+  refuted winding-forward 'winding: the characteristic map winds 4 times' "$made/winding-forward.scheme" --valence 3
+  refuted winding-spiral 'winding: the characteristic map winds -[0-9]* times' "$made/winding-spiral.scheme" --valence 3..12,20
+  refuted winding-spiral-9 'winding: the characteristic map winds -8 times' "$made/winding-spiral.scheme" --valence 9 --precision 128
+  refuted winding-twice 'the characteristic map folds' "$made/winding-spiral.scheme" --set turns=1 --valence 3..6
+  proved winding-once "$made/winding-spiral.scheme" --set turns=0 --valence 3..12,20
+  refuted pair-cups 'frequency 0 dominates by a complex pair (0.55901699, frequency 1 has 0.50000000)' "$made/pair-cups.scheme" --valence 3..8,100
+  refuted pair-cups-above 'frequency 0 dominates by a complex pair (0.50000' "$made/pair-cups.scheme" --set re=2/5 --set im=30001/100000 --valence 3,5
+  refuted pair-cups-barely-above 'frequency 0 dominates by a complex pair (0.5000' "$made/pair-cups.scheme" --set re=2/5 --set im=3/10+10^-50 --valence 5
+  proved pair-cups-below "$made/pair-cups.scheme" --set re=2/5 --set im=29999/100000 --valence 3..8
+  proved pair-cups-barely-below "$made/pair-cups.scheme" --set re=2/5 --set im=3/10-10^-50 --valence 5
+  not_proved pair-cups-equal "$made/pair-cups.scheme" --set re=2/5 --set im=3/10 --valence 5 --max-precision 256
+  refuted pair-cups-grows 'block 0 has an eigenvalue beyond 1 (1.00603181)' "$made/pair-cups.scheme" --set re=-4/5 --set im=61/100 --valence 3,5
+  undecided pair-cups-one 'block 0' "$made/pair-cups.scheme" --set re=-4/5 --set im=3/5 --valence 5 --max-precision 256
+  refuted pair-saddles 'frequency [0-9]* dominates by a complex pair (0.55901699' "$made/pair-saddles.scheme" --valence 4,6,8,20
+  refuted pair-saddles-above 'frequency 3 dominates by a complex pair (0.50000' "$made/pair-saddles.scheme" --set re=2/5 --set im=30001/100000 --valence 6
+  proved pair-saddles-below "$made/pair-saddles.scheme" --set re=2/5 --set im=29999/100000 --valence 4,6,8
+  proved pair-saddles-odd "$made/pair-saddles.scheme" --valence 5,7
+  refuted pair-saddles-grows 'block [0-9]* has an eigenvalue beyond 1' "$made/pair-saddles.scheme" --set re=1 --valence 4,6
+  not_proved pair-saddles-equal "$made/pair-saddles.scheme" --set re=2/5 --set im=3/10 --valence 6 --max-precision 256
+}
+
 # The same scheme seen in a mirror, or written down in another way.
 mirrors() {
   for kind in triangle quad dual mask; do
@@ -201,4 +232,5 @@ catalogue
 not_c1
 ties
 folds
+windings_and_pairs
 mirrors

@@ -78,6 +78,65 @@ verifies butterfly-not-c1 butterfly 8..inf not-c1 butterfly
 [ $? -eq 1 ]
 holds butterfly-not-8 $? "$(tail -n 1 printed)"
 
+# Where a refutation holds for one reason, it is made for many valences at once.
+verified() { # NAME DIRECTORY: all certificates, as its verify.sh says.
+  SMOOTHCERT_CHECK=$SMOOTHCERT_CHECK sh "$2/verify.sh" >printed 2>complaints
+  holds "$1" $? "$(tail -n 1 printed)"
+}
+
+classified() { # NAME LINE SCHEME ARGUMENT...
+  name=$1 line=$2
+  shift 2
+  summary "$name" 1 "$line" "$@" --valence all --out "refuted-$name"
+  verified "$name-checked" "refuted-$name"
+}
+
+own=$SRCDIR/tests/verify/schemes
+classified sixteenth 'loop-sixteenth, in 27 boxes: C1: 5..19; not C1: 3, 20..25 (frequency 0), 4 (tie), 26..inf (not-C0)' "$own/loop-sixteenth.scheme"
+classified quad-eighth 'quad-eighth, in 17 boxes: C1: 3..9; not C1: 10..12 (frequency 0), 13..inf (not-C0)' "$own/quad-eighth.scheme"
+classified two-turns 'two-turns, in 10 boxes: C1: 3; not C1: 4 (real), 5..inf (frequency)' "$own/two-turns.scheme"
+classified heavy 'centre-powers, in 2 boxes: not C1: 3..inf (frequency 0)' "$own/centre-powers.scheme" --set a=31/25
+classified heavy-negative 'centre-powers, in 2 boxes: not C1: 3..inf (frequency 0)' "$own/centre-powers.scheme" --set a=-1/2
+classified beyond 'centre-powers, in 2 boxes: not C1: 3..inf (not-C0)' "$own/centre-powers.scheme" --set a=3/2
+classified beyond-negative 'centre-powers, in 2 boxes: not C1: 3..inf (not-C0)' "$own/centre-powers.scheme" --set a=-1
+classified squares 'centre-powers, in 16 boxes: C1: 5..11; not C1: 3..4, 12 (frequency 0), 13..inf (not-C0)' "$own/centre-powers.scheme" --set a=1 --set c=-1/100
+classified squares-positive 'centre-powers, in 6 boxes: not C1: 3..inf (not-C0)' "$own/centre-powers.scheme" --set a=-1 --set b=1/2 --set c=1/10
+classified folds 'doo-sabin-spectrum, in 24 boxes: C1: 4, 38..inf; not C1: 3, 5..37 (fold)' doo-sabin-spectrum --set l=999/1000
+grep -q '^form graded$' refuted-sixteenth/valence-*..inf.cert && grep -q '^degree 2$' refuted-squares/valence-*..inf.cert
+holds graded $? 'a centre that grows has no graded certificate'
+grep -q '^frequency 2$' refuted-two-turns/valence-*..inf.cert && grep -q '^reason fold$' refuted-folds/valence-*..*.cert
+holds one-frequency $? 'no certificate of one frequency, or of a fold, for many valences'
+
+# Each range says of each of its valences what is found there alone.
+each() { # the verdict of every valence up to 150 that lines speak of
+  sed -n 's/^\(proved\|refuted\): .* at valences* \([0-9]*\)\(\.\.\)*\([0-9a-z]*\);.*/\1 \2 \4/p' |
+    awk '{ last = $3 == "" ? $2 : $3 == "inf" || $3 > 150 ? 150 : $3; for (k = $2; k <= last; k++) print k, $1 }'
+}
+alike() { # NAME SCHEME ARGUMENT...
+  name=$1
+  shift
+  "$SMOOTHCERT" prove "$@" --valence all --out none 2>/dev/null | each >ranges
+  "$SMOOTHCERT" prove "$@" --valence 3..150 --each --out none 2>/dev/null | each >singles
+  cmp -s ranges singles && [ "$(wc -l <singles)" -eq 148 ]
+  holds "$name" $? "$(diff ranges singles | head -n 2 | tail -n 1)"
+}
+alike sixteenth-alike "$own/loop-sixteenth.scheme"
+alike quad-eighth-alike "$own/quad-eighth.scheme"
+alike two-turns-alike "$own/two-turns.scheme"
+alike squares-alike "$own/centre-powers.scheme" --set a=1 --set c=-1/100
+alike folds-alike doo-sabin-spectrum --set l=999/1000
+
+# What is said of them: with the factor of the scaled eigenvalue, and found anew.
+"$SMOOTHCERT" show refuted-sixteenth/valence-112..inf.cert >printed 2>complaints
+grep -q 'L = (-0.95.*) (k/16)$' printed && grep -q '^  growth ' printed && grep -q 'followed  *yes' printed
+holds show-growth $? "$(head -n 1 printed complaints)"
+"$SMOOTHCERT" rerun refuted-sixteenth/valence-112..inf.cert refuted-two-turns/valence-30..inf.cert refuted-folds/valence-33..35.cert refuted-heavy/valence-4..inf.cert >printed 2>complaints
+[ "$(grep -c '^still refuted: .* L +/- ' printed)" -eq 4 ]
+holds rerun-refutations $? "$(cat printed complaints)"
+"$SMOOTHCERT" prove "$own/loop-sixteenth.scheme" --valence all --out none --json 2>/dev/null | tail -n 1 >printed
+grep -qF '{"valences":[20,25],"reason":"frequency 0"},{"valences":[26,26],"reason":"modulus-one"},{"valences":[27,null],"reason":"not-c0"}' printed
+holds json-reasons $? "$(cat printed)"
+
 # ---- what may be asked ----
 
 summary parts 0 'loop, in 3 boxes: C1: 3, 8..inf' loop --valence 3,8..inf --out none
@@ -107,6 +166,30 @@ sed 's/^valence 16 inf$/valence 15 inf/' before >all-loop/valence-16..inf.cert
 "$SMOOTHCERT" prove loop --valence all --out all-loop >stdout 2>stderr && grep -q 'made anew' stderr && cmp -s before all-loop/valence-16..inf.cert
 holds mended $? "$(tail -n 1 stderr)"
 verifies mended-checked loop all c1 all-loop
+
+# Certificates that are there already stay, and boxes fill the gaps: each valence is spoken of once.
+"$SMOOTHCERT" prove loop --valence 9..12,30 --out gaps >stdout 2>stderr
+summary gaps 0 'loop, in 12 boxes: C1: 3..inf' loop --valence all --out gaps
+verifies gaps-checked loop all c1 gaps
+"$SMOOTHCERT" prove loop --valence 9..inf --out all-loop >stdout 2>stderr
+verifies middle-of-a-box loop all c1 all-loop
+"$SMOOTHCERT" prove loop --valence 6,7 --out all-loop >stdout 2>stderr
+[ "$(cut -d ';' -f 1 stdout)" = 'proved: loop is C1 at valences 6..7' ]
+holds told-once $? "$(cat stdout)"
+
+# What cannot be used (other methods, other precisions) is not doubled; by default it has another place.
+ls all-loop >before-conflict
+for options in '--valence 7 --precision 128' '--valence all --method uniform'; do
+  # shellcheck disable=SC2086
+  "$SMOOTHCERT" prove loop $options --out all-loop >stdout 2>stderr
+  [ $? -eq 64 ] && grep -q 'cannot use valence-6..7.cert' stderr
+  holds "conflict-${options##* }" $? "$(tail -n 1 stderr)"
+done
+ls all-loop | cmp -s - before-conflict
+holds conflict-leaves-all $? "$(ls all-loop | tr '\n' ' ')"
+verifies conflict-checked loop all c1 all-loop
+"$SMOOTHCERT" prove loop --valence 5 --precision 128 --method uniform >stdout 2>stderr && [ -f smoothcert-loop,uniform,precision=128/valence-5.cert ]
+holds other-place $? "$(tail -n 1 stdout)"
 
 # ---- forgeries ----
 
@@ -138,7 +221,7 @@ forged from-3-on 16..inf 's/^cover 2 inf /cover 3 inf /'
 # One valence of a range that is proved already needs no certificate of its own.
 "$SMOOTHCERT" prove loop --valence all --out whole >/dev/null
 ls whole >before
-"$SMOOTHCERT" prove loop --valence 20,1000 --out whole >stdout 2>stderr
+"$SMOOTHCERT" prove loop --valence 10,1000 --out whole >stdout 2>stderr
 ls whole >after
 [ "$(grep -c 'by the certificate of an earlier run' stdout)" -eq 2 ] && [ ! -s stderr ] && cmp -s before after
 holds within-a-range $? "$(head -n 1 stdout stderr)"

@@ -71,6 +71,10 @@ report folded loop-ring --set l=99/100 --valence 7
 has folded-place folded.svg/map-7.svg '^<path d="M.*fill="url\(#map-7-negative\)"'
 has folded-sentence folded/report.html 'the characteristic map folds'
 
+report wound "$SRCDIR/tests/certificates/schemes/winding-quad.scheme" --valence 5
+has wound-curve wound.svg/curve-5.svg 'the image winds -4 times'
+has wound-sentence wound/report.html 'the characteristic map does not wind once: -4'
+
 report spiral loop-spiral --valence 5,300
 report dual doo-sabin --valence 5
 report quads catmull-clark --valence 5,1000000

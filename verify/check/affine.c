@@ -3,7 +3,7 @@
 
 #include "affine.h"
 
-#include "trig.h"
+#include "grid.h"
 
 struct affine affine_from(interval c)
 {

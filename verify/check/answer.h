@@ -16,14 +16,16 @@
 
 enum { ANSWER_VERIFIED = 0, ANSWER_REJECTED = 1, ANSWER_CANNOT_CHECK = 2 };
 
-/* "rejected: FILE:LINE: ..." and exit status 1. */
-noreturn void rejected(const char *file, int line, const char *format, ...);
+/* "rejected: FILE:LINE: ..." (without a place if file is NULL) and exit status 1. */
+#define rejected(file, line, ...) answer(ANSWER_REJECTED, file, line, 0, __VA_ARGS__)
 
-/* "cannot check: ..." and exit status 2. */
-noreturn void cannot_check(const char *format, ...);
+/* "cannot check: ..." and exit status 2; or "cannot check: FILE:LINE: ..." (or
+ * FILE:LINE:COLUMN if column > 0). */
+#define cannot_check(...) answer(ANSWER_CANNOT_CHECK, NULL, 0, 0, __VA_ARGS__)
+#define cannot_check_at(file, line, column, ...) \
+    answer(ANSWER_CANNOT_CHECK, file, line, column, __VA_ARGS__)
 
-/* "cannot check: FILE:LINE: ..." (or FILE:LINE:COLUMN if column > 0). */
-noreturn void cannot_check_at(const char *file, int line, int column,
-                              const char *format, ...);
+noreturn void answer(int status, const char *file, int line, int column,
+                     const char *format, ...);
 
 #endif

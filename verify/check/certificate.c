@@ -6,17 +6,19 @@
 #include "answer.h"
 #include "sha256.h"
 
+#include <stdarg.h>
 #include <string.h>
 
 enum {
     MIN_VALENCE = 3, MAX_VALENCE_0 = 4096, MAX_VALENCE_1 = 1000000000,
     MIN_GRID = 64, MAX_GRID = 8192, BITS_ABOVE_GRID = 64,
     MAX_CONTRACTION = 10, MAX_STABILITY_POWER = 9,
-    MAX_UNKNOWNS_0 = 512, MAX_UNKNOWNS_1 = 1024, MAX_PIVOT = 999999999,
+    MAX_UNKNOWNS_0 = 512, MAX_UNKNOWNS_1 = 1024, MAX_NUMBER = 999999999,
     MAX_BLOCKS = 10000, MAX_POWER = 10000, MAX_TOTAL_POWER = 200000,
     MAX_RISES = 1000, MAX_COVERS = 10000, Q_BITS = 48,
     NORMAL_BITS = 32, INVERSE_BITS_LIMIT = 96,
     MAX_ELEMENTS = 1000000,
+    MAX_GRADE = 64, MAX_GROUP_INTEGERS = 1 << 21,
     MAX_FACTOR = 64, MAX_EXACT = 64, MAX_EXACT_ORDER = 64,
     MAX_DECIMAL = 15                               /* digits; all limits have less */
 };
@@ -78,26 +80,6 @@ static bool token_is(const char *token, size_t size, const char *word)
     return size == strlen(word) && memcmp(token, word, size) == 0;
 }
 
-static void begin_record(struct record *out, struct certificate *c, const char *name)
-{
-    size_t size;
-    const char *token;
-
-    next_line(out, c);
-    if (out->at == out->end)
-        rejected(c->file, out->line, "expected `%s`", name);
-    token = next_token(&size, out);
-    if (!token_is(token, size, name))
-        rejected(c->file, out->line, "expected `%s`", name);
-    out->name = name;
-}
-
-static void end_record(const struct record *r)
-{
-    if (r->at != r->end)
-        rejected(r->c->file, r->line, "%s: expected no more values", r->name);
-}
-
 /* Values
  * ------ */
 
@@ -119,60 +101,72 @@ static int64_t read_decimal(struct record *r, int64_t low, int64_t high)
     return value;
 }
 
-/* The same, or `inf`. */
-static int64_t read_decimal_or_inf(struct record *r, int64_t low, int64_t high)
+/* If the next token is the word: steps over it. */
+static bool accept_word(struct record *r, const char *word)
 {
-    size_t left = (size_t)(r->end - r->at);
+    struct record rest = *r;
+    const char *token;
+    size_t size;
 
-    if (left < 3 || memcmp(r->at, "inf", 3) != 0 || (left > 3 && r->at[3] != ' '))
-        return read_decimal(r, low, high);
-    next_token(&left, r);
-    return ENDLESS;
+    if (r->at == r->end)
+        return false;
+    token = next_token(&size, &rest);
+    if (!token_is(token, size, word))
+        return false;
+    *r = rest;
+    return true;
 }
 
 /* A hexadecimal number below 2^bits in magnitude. */
-static void read_hex(integer *out, struct record *r, int bits)
+static integer read_hex(struct record *r, int bits)
+{
+    size_t size;
+    const char *token = next_token(&size, r);
+    integer out;
+
+    if (!integer_read_hex(&out, token, size))
+        rejected(r->c->file, r->line, "%s: expected a hexadecimal number", r->name);
+    if (integer_bits(out) > bits)
+        cannot_check_at(r->c->file, r->line, 0,
+                        "%s: expected a magnitude below 2^%d", r->name, bits);
+    return out;
+}
+
+/* Q in 0..2^47 */
+static int64_t read_q(struct record *r)
+{
+    integer q = read_hex(r, Q_BITS);
+    int64_t out;
+
+    if (!integer_get_small(&out, q, INT64_C(1) << (Q_BITS - 1)) || out < 0)
+        cannot_check_at(r->c->file, r->line, 0, "%s: expected a number in 0..2^47", r->name);
+    return out;
+}
+
+/* `1` or `-1` */
+static int read_sign(struct record *r)
+{
+    bool positive = accept_word(r, "1");
+
+    if (!positive && !accept_word(r, "-1"))
+        rejected(r->c->file, r->line, "%s: expected 1 or -1 for s", r->name);
+    return positive ? 1 : -1;
+}
+
+/* The number of the next token among `count` words, or their count. */
+static int read_word(struct record *r, const char *const *words, int count)
 {
     size_t size;
     const char *token = next_token(&size, r);
 
-    if (!integer_read_hex(out, token, size))
-        rejected(r->c->file, r->line, "%s: expected a hexadecimal number", r->name);
-    if (integer_bits(*out) > bits)
-        cannot_check_at(r->c->file, r->line, 0,
-                        "%s: expected a magnitude below 2^%d", r->name, bits);
+    for (int i = 0; i < count; i++)
+        if (token_is(token, size, words[i]))
+            return i;
+    return count;
 }
 
-static const char *read_word(size_t *size, struct record *r)
-{
-    const char *token = next_token(size, r);
-
-    for (size_t i = 0; i < *size; i++)
-        if (token[i] != '0' && token[i] != '1' && (token[i] != '2' || !r->c->has_splines))
-            rejected(r->c->file, r->line, "%s: expected a word over {0,1}", r->name);
-    return token;
-}
-
-/* Begins the record and remembers its line. */
-static struct record begin_noted(struct certificate *c, const char *name, int *line)
-{
-    struct record r;
-
-    begin_record(&r, c, name);
-    *line = r.line;
-    return r;
-}
-
-/* The record `name D` */
-static int64_t read_decimal_record(struct certificate *c, const char *name, int64_t low,
-                                   int64_t high, int *line)
-{
-    struct record r = begin_noted(c, name, line);
-    int64_t value = read_decimal(&r, low, high);
-
-    end_record(&r);
-    return value;
-}
+/* Records
+ * ------- */
 
 /* Does the next line begin with this name, or is it this? */
 static bool next_is(const struct certificate *c, const char *name)
@@ -183,97 +177,151 @@ static bool next_is(const struct certificate *c, const char *name)
            (c->next[length] == ' ' || c->next[length] == '\n');
 }
 
+static struct record begin_record(struct certificate *c, const char *name)
+{
+    struct record r;
+
+    next_line(&r, c);
+    if (!accept_word(&r, name))
+        rejected(c->file, r.line, "expected `%s`", name);
+    r.name = name;
+    return r;
+}
+
+/* Returns the number of the line. */
+static int end_record(const struct record *r)
+{
+    if (r->at != r->end)
+        rejected(r->c->file, r->line, "%s: expected no more values", r->name);
+    return r->line;
+}
+
+/* Reads a whole line, and returns its number.  What follows the name, by the letters of the format:
+ *     m i   int64_t *: a valence or frequency, 0..10^9; or `inf`
+ *     n     int *, least and greatest value: a number
+ *     p     int *: a power
+ *     q     int64_t *: Q
+ *     h     integer *, how many, bits: in hexadecimal
+ *     w     int *, words, how many: the number of one of them, or how many */
+static int read_record(struct certificate *c, const char *name, const char *format, ...)
+{
+    struct record r = begin_record(c, name);
+    va_list to;
+
+    va_start(to, format);
+    for (; *format != '\0'; format++) {
+        int64_t *m = strchr("miq", *format) != NULL ? va_arg(to, int64_t *) : NULL;
+        int *n = strchr("npw", *format) != NULL ? va_arg(to, int *) : NULL;
+
+        if (*format == 'q') {
+            *m = read_q(&r);
+        } else if (*format == 'i' && accept_word(&r, "inf")) {
+            *m = ENDLESS;
+        } else if (m != NULL) {
+            *m = read_decimal(&r, 0, MAX_VALENCE_1);
+        } else if (*format == 'p') {
+            *n = (int)read_decimal(&r, 0, MAX_POWER);
+        } else if (*format == 'n') {
+            int low = va_arg(to, int);
+
+            *n = (int)read_decimal(&r, low, va_arg(to, int));
+        } else if (*format == 'w') {
+            const char *const *words = va_arg(to, const char *const *);
+
+            *n = read_word(&r, words, va_arg(to, int));
+        } else {
+            integer *h = va_arg(to, integer *);
+            int count = va_arg(to, int), bits = va_arg(to, int);
+
+            for (int i = 0; i < count; i++)
+                h[i] = read_hex(&r, bits);
+        }
+    }
+    va_end(to);
+    return end_record(&r);
+}
+
+/* One number in units of 2^-g, which is to be positive. */
+static int read_positive(integer *out, struct certificate *c, const char *name)
+{
+    int line = read_record(c, name, "h", out, 1, c->grid + BITS_ABOVE_GRID);
+
+    if (out->sign <= 0)
+        rejected(c->file, line, "%s: it is not positive", name);
+    return line;
+}
+
+/* A list has no more than `limit` records of a kind; `count` are there already. */
+static void check_count(const struct certificate *c, int count, int limit, const char *name)
+{
+    if (count >= limit)
+        cannot_check_at(c->file, c->line, 0, "expected at most %d records `%s`", limit, name);
+}
+
 /* The subject
  * ----------- */
-
-static void read_version(struct certificate *c)
-{
-    int line;
-    int64_t version = read_decimal_record(c, "smoothcert-certificate", 0, 999999999, &line);
-
-    if (version > 1)
-        cannot_check_at(c->file, line, 0, "certificates of version %d; this checker "
-                        "knows versions 0 and 1", (int)version);
-    c->version = (int)version;
-}
 
 static void read_scheme_text(struct certificate *c)
 {
     struct record r;
-    int64_t lines = read_decimal_record(c, "scheme", 0, 65536, &c->line_of.scheme);
+    int lines;
 
+    c->line_of.scheme = read_record(c, "scheme", "n", &lines, 0, 65536);
     c->scheme_text = c->next;
-    for (int64_t i = 0; i < lines; i++)
+    for (int i = 0; i < lines; i++)
         next_line(&r, c);
     c->scheme_size = (size_t)(c->next - c->scheme_text);
-}
-
-/* The record `name WORD`: the number of the word among `words`, or their count. */
-static int read_choice_record(struct certificate *c, const char *name,
-                              const char *const *words, int count, int *line)
-{
-    struct record r = begin_noted(c, name, line);
-    size_t size;
-    const char *token = next_token(&size, &r);
-
-    end_record(&r);
-    for (int i = 0; i < count; i++)
-        if (token_is(token, size, words[i]))
-            return i;
-    return count;
 }
 
 /* k, or the first and the last (or `inf`) of several */
 static void read_valence(struct certificate *c)
 {
     int64_t most = c->version == 0 ? MAX_VALENCE_0 : MAX_VALENCE_1;
-    struct record r = begin_noted(c, "valence", &c->line_of.valence);
+    struct record r = begin_record(c, "valence");
 
     c->valence = span_of(read_decimal(&r, MIN_VALENCE, most));
     if (r.at != r.end && c->version > 0) {
-        c->valence.last = read_decimal_or_inf(&r, MIN_VALENCE, most);
+        c->valence.last = accept_word(&r, "inf") ? ENDLESS : read_decimal(&r, MIN_VALENCE, most);
         if (!span_is_several(c->valence))
             rejected(c->file, r.line, "valence: expected the first and a greater last one");
     }
-    end_record(&r);
+    c->line_of.valence = end_record(&r);
 }
 
 void certificate_read_subject(struct certificate *out, const char *file,
                               const char *text, size_t size)
 {
     static const char *const claim[] = { "c1", "not-c1" };
+    int line, choice;
 
-    memset(out, 0, sizeof *out);
-    out->file = file;
-    out->text = text;
-    out->next = text;
-    out->end = text + size;
-    out->regularity.word = out->boundary.word = "";  /* refutations may have none */
-    out->line = 1;
-    read_version(out);
+    *out = (struct certificate) {
+        .file = file, .text = text, .next = text, .end = text + size, .line = 1,
+        .regularity.word = "", .boundary.word = ""  /* refutations may have none */
+    };
+    line = read_record(out, "smoothcert-certificate", "n", &out->version, 0, MAX_NUMBER);
+    if (out->version > 1)
+        cannot_check_at(file, line, 0, "certificates of version %d; this checker knows "
+                        "versions 0 and 1", out->version);
     read_scheme_text(out);
-    out->claim = (enum claim)read_choice_record(out, "claim", claim, 2, &out->line_of.claim);
+    out->line_of.claim = read_record(out, "claim", "w", &choice, claim, 2);
+    out->claim = (enum claim)choice;
     read_valence(out);
-    out->grid = (int)read_decimal_record(out, "grid", MIN_GRID, MAX_GRID,
-                                         &out->line_of.grid);
+    read_record(out, "grid", "n", &out->grid, MIN_GRID, MAX_GRID);
 }
 
-/* The choices
- * ----------- */
+/* Reasons
+ * ------- */
 
-/* plain: the form of m = 0. */
-static void read_form(struct certificate *c)
-{
-    static const char *const form[] = { "real", "complex", "plain" };
-    int choice = read_choice_record(c, "form", form, 3, &c->line_of.form);
-
-    if (choice == 3 || (choice == 2) != (c->frequency == 0))
-        rejected(c->file, c->line_of.form, "form: expected `real` or `complex`, or for "
-                 "frequency 0 `plain`");
-    c->real = choice != 1;
-    if (span_is_several(c->valence) && choice == 1)
-        rejected(c->file, c->line_of.form, "form: of several valences expected `real`");
-}
+/* What follows behind the blocks: trees, and witnesses. */
+static const struct {
+    bool boundary;
+    int witnesses;
+} ending[] = {
+    [REASON_FREQUENCY] = { true, 0 }, [REASON_NOT_C0] = { false, 1 },
+    [REASON_FOLD] = { false, 2 }, [REASON_WINDING] = { true, 0 }, [REASON_REAL] = { false, 1 },
+    [REASON_TIE] = { false, 2 }, [REASON_JORDAN] = { true, 0 },
+    [REASON_MODULUS_ONE] = { false, 1 }
+};
 
 bool certificate_is_exact(const struct certificate *c)
 {
@@ -283,84 +331,372 @@ bool certificate_is_exact(const struct certificate *c)
 static void read_reason(struct certificate *c)
 {
     static const char *const reason[] = {
-        "frequency", "not-c0", "fold", "real", "tie", "jordan", "modulus-one"
+        "frequency", "not-c0", "fold", "winding", "real", "tie", "jordan", "modulus-one"
     };
-    int choice = read_choice_record(c, "reason", reason, 7, &c->line_of.reason);
+    int choice, line = read_record(c, "reason", "w", &choice, reason, 8);
 
-    if (choice == 7)
-        rejected(c->file, c->line_of.reason, "reason: expected `frequency`, `not-c0`, "
-                 "`fold`, `real`, `tie`, `jordan` or `modulus-one`");
+    if (choice == 8)
+        rejected(c->file, line, "reason: expected `frequency`, `not-c0`, `fold`, `winding`, "
+                 "`real`, `tie`, `jordan` or `modulus-one`");
     c->reason = (enum reason)(REASON_FREQUENCY + choice);
-    if (span_is_several(c->valence) && c->reason >= REASON_REAL)
-        rejected(c->file, c->line_of.reason, "reason: it is for single valences only");
+    if (span_is_several(c->valence) && c->reason >= REASON_WINDING)
+        rejected(c->file, line, "reason: it is for single valences only");
+}
+
+/* Is the frequency k/2? */
+static bool is_half(const struct certificate *c)
+{
+    return 2 * c->frequency == c->valence.first && !span_is_several(c->valence);
 }
 
 static bool frequency_fits(const struct certificate *c)
 {
-    bool half = 2 * c->frequency == c->valence.first;
-
     if (c->reason == REASON_REAL)
-        return c->frequency == 0 || half;
-    if (2 * c->frequency >= c->valence.first)
+        return c->frequency == 0 || is_half(c);
+    if (2 * c->frequency >= c->valence.first && !is_half(c))
         return false;
-    return c->reason == REASON_FOLD ? c->frequency == 1
-                                    : c->reason == REASON_NOT_C0 || c->frequency != 1;
+    if (c->reason == REASON_FOLD || c->reason == REASON_WINDING)
+        return c->frequency == 1;
+    return c->reason == REASON_NOT_C0 || c->frequency != 1;
 }
 
 static void read_frequency(struct certificate *c)
 {
-    int line;
-    struct record r;
-    size_t size;
+    int line, none;
 
     if (span_is_several(c->valence) && c->reason == REASON_FREQUENCY &&
-        next_is(c, "frequency window"))
+        next_is(c, "frequency window")) {
+        read_record(c, "frequency", "w", &none, NULL, 0);
         c->frequency = -1;
-    r = begin_noted(c, "frequency", &line);
-    if (c->frequency < 0)
-        next_token(&size, &r);                     /* `window` */
-    else
-        c->frequency = read_decimal(&r, 0, MAX_VALENCE_1);
-    end_record(&r);
-    if (c->frequency >= 0 && !frequency_fits(c))
-        rejected(c->file, line, "frequency: it is not below k/2, or not one for this reason");
+        return;
+    }
+    line = read_record(c, "frequency", "m", &c->frequency);
+    if (!frequency_fits(c))
+        rejected(c->file, line, "frequency: it is beyond k/2, or not one for this reason");
 }
 
-/* The record `name I ...` */
-static void read_hex_record(integer *out, int count, struct certificate *c,
-                            const char *name, int bits, int *line)
+/* plain: the real form of m = 0.  That of m = k/2 is for `real` only. */
+static void read_form(struct certificate *c)
 {
-    struct record r = begin_noted(c, name, line);
+    static const char *const form[] = { "real", "complex", "plain", "graded" };
+    int choice, line = c->line_of.form = read_record(c, "form", "w", &choice, form, 4);
 
-    for (int i = 0; i < count; i++)
-        read_hex(&out[i], &r, bits);
-    end_record(&r);
+    if (choice == 4 || (choice != 1 && (choice >= 2) != (c->frequency == 0)))
+        rejected(c->file, line, "form: expected `real` or `complex`, or for frequency 0 "
+                 "`plain` or `complex`");
+    c->graded = choice == 3;
+    c->real = choice != 1;
+    if (c->graded && !(span_is_several(c->valence) && c->reason == REASON_NOT_C0))
+        rejected(c->file, line, "form: `graded` is for `not-c0` at several valences");
+    if (choice == 0 && is_half(c) && c->reason != REASON_REAL)
+        rejected(c->file, line, "form: for frequency k/2 expected `complex`");
+    if (span_is_several(c->valence) && !c->real)
+        rejected(c->file, line, "form: of several valences expected `real`");
 }
+
+/* Eigenpairs
+ * ---------- */
 
 /* For the unknowns of c. */
 static void read_eigenpair(struct choices *out, struct certificate *c)
 {
-    int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, line;
+    int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, size = c->size;
 
     /* Beyond n: rejected where it is used, not a limit of the format. */
-    out->pivot = (int)read_decimal_record(c, "pivot", 0, MAX_PIVOT, &out->line_of.pivot);
-    read_hex_record(out->eigenvalue, parts, c, "eigenvalue", bits, &out->line_of.eigenvalue);
-    out->eigenvector = allocate((size_t)c->size, sizeof out->eigenvector[0]);
-    read_hex_record(out->eigenvector, parts * (c->n - 1), c, "eigenvector", bits, &line);
-    read_hex_record(&out->radius, 1, c, "radius", bits, &out->line_of.radius);
+    out->line_of.pivot = read_record(c, "pivot", "n", &out->pivot, 0, MAX_NUMBER);
+    out->line_of.eigenvalue = read_record(c, "eigenvalue", "h", out->eigenvalue, parts, bits);
+    out->eigenvector = allocate((size_t)size, sizeof out->eigenvector[0]);
+    read_record(c, "eigenvector", "h", out->eigenvector, parts * (c->n - 1), bits);
+    out->line_of.radius = read_record(c, "radius", "h", &out->radius, 1, bits);
     if (span_is_several(c->valence))
-        read_hex_record(&out->range, 1, c, "range", bits, &out->line_of.range);
-    out->inverse = allocate((size_t)c->size * (size_t)c->size, sizeof out->inverse[0]);
-    for (int i = 0; i < c->size; i++)
-        read_hex_record(&out->inverse[i * c->size], c->size, c, "inverse",
-                        INVERSE_BITS_LIMIT, &line);
+        out->line_of.range = read_record(c, "range", "h", &out->range, 1, bits);
+    out->inverse = allocate((size_t)size * (size_t)size, sizeof out->inverse[0]);
+    for (int i = 0; i < size; i++)
+        read_record(c, "inverse", "h", &out->inverse[i * size], size, INVERSE_BITS_LIMIT);
     if (!c->real)
-        read_hex_record(&out->modulus, 1, c, "modulus", bits, &out->line_of.modulus);
+        out->line_of.modulus = read_record(c, "modulus", "h", &out->modulus, 1, bits);
 }
+
+/* How unknowns are scaled, of which there are n. */
+static void read_grades(struct certificate *c)
+{
+    int line = read_record(c, "unit", "m", &c->unit);
+    struct record r;
+
+    if (c->unit == 0)
+        rejected(c->file, line, "unit: it is not positive");
+    read_record(c, "degree", "n", &c->degree, 0, MAX_GRADE);
+    r = begin_record(c, "grades");
+    c->grade = allocate((size_t)c->n, sizeof c->grade[0]);
+    for (int i = 0; i < c->n; i++)
+        c->grade[i] = (int)read_decimal(&r, 0, MAX_GRADE);
+    end_record(&r);
+}
+
+/* `second m'` and its eigenpair: its form is plain for 0, which is for k/2 only, else real. */
+static void read_second(struct certificate *c, const int n[2])
+{
+    struct certificate own = *c;
+    int line = read_record(&own, "second", "m", &own.frequency);
+
+    if (2 * own.frequency >= c->valence.first || (own.frequency == 0 && !is_half(c)))
+        rejected(c->file, line, "second: it is not between 0 and k/2");
+    read_form(&own);
+    if (!own.real)
+        rejected(c->file, own.line_of.form, "form: expected `real`, or for frequency 0 `plain`");
+    own.n = own.size = own.frequency == 0 ? n[0] : n[1];
+    read_eigenpair(&own.second, &own);
+    c->second_frequency = own.frequency;
+    c->second = own.second;
+    c->next = own.next;
+    c->line = own.line;
+}
+
+/* Trees and witnesses
+ * ------------------- */
+
+static void read_trees(struct trees *out, struct certificate *c, const char *name)
+{
+    struct record r = begin_record(c, name);
+
+    out->word = next_token(&out->size, &r);
+    for (size_t i = 0; i < out->size; i++)
+        if (memchr("012", out->word[i], c->has_splines ? 3 : 2) == NULL)
+            rejected(c->file, r.line, "%s: expected a word over {0,1}", name);
+    out->line = end_record(&r);
+    c->letters += out->size;
+    if (c->letters > MAX_ELEMENTS)
+        cannot_check_at(c->file, out->line, 0, "expected at most %d elements", MAX_ELEMENTS);
+}
+
+static void read_decisions(struct certificate *c)
+{
+    integer component[2];
+    int line = read_record(c, "halfplane", "h", component, 2, NORMAL_BITS);
+
+    for (int i = 0; i < 2; i++)
+        if (!integer_get_small(&c->normal[i], component[i], INT64_C(1) << NORMAL_BITS))
+            rejected(c->file, line, "halfplane: expected a small number");
+    read_trees(&c->regularity, c, "regularity");
+    read_trees(&c->boundary, c, "boundary");
+}
+
+/* `witness D P`: P digits from 0 to 3, or `-` */
+static void read_witness(struct witness *w, struct certificate *c)
+{
+    struct record r = begin_record(c, "witness");
+
+    w->element = read_decimal(&r, 0, MAX_ELEMENTS);
+    w->path = next_token(&w->path_size, &r);
+    w->line = end_record(&r);
+    if (token_is(w->path, w->path_size, "-"))
+        w->path_size = 0;
+    for (size_t i = 0; i < w->path_size; i++)
+        if (w->path[i] < '0' || w->path[i] > '3')
+            rejected(c->file, w->line, "witness: expected digits from 0 to 3, or `-`");
+}
+
+static void read_refutation(struct certificate *c)
+{
+    if (ending[c->reason].boundary)
+        read_trees(&c->boundary, c, "boundary");
+    for (int i = 0; i < ending[c->reason].witnesses; i++)
+        read_witness(&c->witness[i], c);
+}
+
+/* Exact ties
+ * ---------- */
+
+/* g: for each coefficient Q > 0 and d numerators, without a common divisor. */
+static void read_factor(struct certificate *c, int d)
+{
+    struct exact_choices *e = &c->exact;
+    int line = read_record(c, "factor", "n", &e->degree, 0, MAX_FACTOR);
+
+    if (e->degree < 1)
+        rejected(c->file, line, "factor: its degree is not positive");
+    e->coefficient = allocate((size_t)e->degree * (size_t)(d + 1), sizeof e->coefficient[0]);
+    for (int i = 0; i < e->degree; i++) {
+        integer *q = &e->coefficient[i * (d + 1)], gcd;
+
+        line = read_record(c, "coefficient", "h", q, d + 1, RATIONAL_BITS);
+        gcd = q[0];
+        for (int part = 1; part <= d; part++)
+            gcd = integer_gcd(gcd, q[part]);
+        if (q[0].sign <= 0 || integer_bits(gcd) != 1)
+            rejected(c->file, line, "coefficient: its denominator is not positive, or it is "
+                     "not in lowest terms");
+    }
+}
+
+static void read_exact_record(struct exact_record *out, struct certificate *c)
+{
+    struct record r = begin_record(c, "exact");
+
+    out->m = read_decimal(&r, 0, MAX_VALENCE_1);
+    out->sign = read_sign(&r);
+    out->a = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
+    out->q = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
+    out->j = (int)read_decimal(&r, 0, MAX_NUMBER);
+    out->record.power = (int)read_decimal(&r, 0, MAX_POWER);
+    out->record.m = span_of(out->m);
+    out->record.line = end_record(&r);
+    if (2 * out->m > c->valence.first || (out != c->exact.line && out->m <= out[-1].m))
+        rejected(c->file, r.line, "exact: frequencies have to rise, up to k/2");
+    if (out->q < 1 || out->q > out->a)
+        rejected(c->file, r.line, "exact: it must be 1 <= q <= a");
+}
+
+static bool is_exact_frequency(const struct certificate *c, struct span m)
+{
+    for (int i = 0; i < c->exact.count; i++)
+        if (m.first <= c->exact.line[i].m && c->exact.line[i].m <= m.last)
+            return true;
+    return false;
+}
+
+/* Blocks of one valence
+ * --------------------- */
+
+/* Has one of the frequencies m an eigenpair? */
+static bool contains_own(const struct certificate *c, struct span m)
+{
+    return (m.first <= c->frequency && c->frequency <= m.last) ||
+           (c->reason == REASON_REAL && m.first <= c->second_frequency &&
+            c->second_frequency <= m.last);
+}
+
+static struct block_record *read_block(struct certificate *c)
+{
+    struct block_record *b = &c->block[c->blocks++];
+
+    b->line = read_record(c, "block", "mmp", &b->m.first, &b->m.last, &b->power);
+    return b;
+}
+
+/* The next frequency without an exact block. */
+static int64_t skip_exact(const struct certificate *c, int64_t m)
+{
+    while (is_exact_frequency(c, span_of(m)))
+        m++;
+    return m;
+}
+
+/* 0; 1; then without gaps up to floor(k/2); but for exact blocks. */
+static void read_blocks(struct certificate *c)
+{
+    int64_t next = skip_exact(c, 0), half = c->valence.first / 2;
+
+    c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
+    while ((c->blocks == 0 && next <= half) || next_is(c, "block")) {
+        const struct block_record *b;
+
+        check_count(c, c->blocks, MAX_BLOCKS, "block");
+        b = read_block(c);
+        if (b->m.first != next || b->m.last < b->m.first || b->m.last > half ||
+            is_exact_frequency(c, b->m) ||
+            (span_is_several(b->m) && (next <= 1 || contains_own(c, b->m))))
+            rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
+                     "ranges without gaps up to %lld", (long long)half);
+        next = skip_exact(c, b->m.last + 1);
+    }
+    if (next <= half)
+        rejected(c->file, c->line, "block: the frequencies from %lld on are missing",
+                 (long long)next);
+}
+
+/* Version 0: one record with a power for each frequency. */
+static void read_powers_0(struct certificate *c)
+{
+    struct record r = begin_record(c, "power");
+
+    c->blocks = (int)(c->valence.first / 2) + 1;
+    c->block = allocate((size_t)c->blocks, sizeof c->block[0]);
+    for (int m = 0; m < c->blocks; m++)
+        c->block[m] = (struct block_record) {
+            span_of(m), (int)read_decimal(&r, 0, MAX_POWER), r.line
+        };
+    end_record(&r);
+}
+
+/* Several valences
+ * ---------------- */
+
+/* Blocks 0 (or `limit P` with its eigenpair) and m, the eigenpair's frequency. */
+static void read_two_blocks(struct certificate *c)
+{
+    const int64_t m[2] = { 0, c->frequency };
+
+    c->block = allocate(2, sizeof c->block[0]);
+    c->has_limit = c->claim == CLAIM_C1 && c->valence.last == ENDLESS && next_is(c, "limit");
+    if (c->has_limit) {
+        c->limit.record.m = span_of(0);
+        c->limit.record.line = read_record(c, "limit", "p", &c->limit.record.power);
+        read_eigenpair(&c->limit.pair, c);
+        c->blocks = 1;
+    }
+    while (c->blocks < (c->frequency > 0 ? 2 : 1)) {
+        int64_t here = m[c->blocks];
+        const struct block_record *b = read_block(c);
+
+        if (b->m.first != here || b->m.last != here)
+            rejected(c->file, b->line, "block: expected `block %lld %lld`", (long long)here,
+                     (long long)here);
+    }
+}
+
+/* `rise` or `wave` */
+static void read_rises(struct certificate *c, bool wave)
+{
+    const char *name = wave ? "wave" : "rise";
+
+    c->rise = allocate(MAX_RISES, sizeof c->rise[0]);
+    for (; next_is(c, name); c->rises++) {
+        struct rise *rise = &c->rise[c->rises];
+
+        check_count(c, c->rises, MAX_RISES, name);
+        if ((c->rises + 1) * c->size * c->size > MAX_GROUP_INTEGERS)
+            cannot_check_at(c->file, c->line, 0, "expected at most %d integers in the groups of "
+                            "`%s`", MAX_GROUP_INTEGERS, name);
+        rise->record.line = read_record(c, name, "qp", &rise->q, &rise->record.power);
+        rise->record.m = (struct span) { wave ? 2 : 1, ENDLESS };
+        read_eigenpair(&rise->pair, c);
+        if (wave)
+            read_trees(&rise->boundary, c, "boundary");
+    }
+}
+
+/* What proves the rest. */
+static void read_ranges(struct certificate *c)
+{
+    read_two_blocks(c);
+    if (c->claim == CLAIM_C1)
+        read_rises(c, false);
+    c->cover = allocate(MAX_COVERS, sizeof c->cover[0]);
+    do {
+        struct cover *cover = &c->cover[c->covers];
+        struct block_record *b = &cover->record;
+
+        check_count(c, c->covers, MAX_COVERS, "cover");
+        b->line = read_record(c, "cover", "miqp", &b->m.first, &b->m.last, &cover->q, &b->power);
+        c->covers++;
+    } while (next_is(c, "cover"));
+}
+
+/* A window of frequencies. */
+static void read_window(struct certificate *c)
+{
+    c->line_of.window = read_record(c, "window", "q", &c->window);
+    read_positive(&c->bound, c, "bound");
+    read_rises(c, true);
+}
+
+/* All of it
+ * --------- */
 
 static void check_total_power(const struct certificate *c)
 {
-    int total = c->limit.record.power;             /* at most 11068 * MAX_POWER */
+    int total = c->limit.record.power;             /* at most 21066 * MAX_POWER */
 
     total += c->exact.others.power;
     for (int i = 0; i < c->exact.count; i++)
@@ -376,390 +712,69 @@ static void check_total_power(const struct certificate *c)
                         "expected powers whose sum is at most %d", MAX_TOTAL_POWER);
 }
 
-/* Version 0: one record with a power for each frequency. */
-static void read_powers_0(struct certificate *c)
-{
-    struct record r;
-
-    c->blocks = (int)(c->valence.first / 2) + 1;
-    c->block = allocate((size_t)c->blocks, sizeof c->block[0]);
-    begin_record(&r, c, "power");
-    for (int m = 0; m < c->blocks; m++)
-        c->block[m] = (struct block_record) {
-            span_of(m), (int)read_decimal(&r, 0, MAX_POWER), r.line
-        };
-    end_record(&r);
-}
-
-/* `limit P` with its eigenpair */
-static void read_limit(struct certificate *c)
-{
-    c->has_limit = true;
-    c->limit.record.m = span_of(0);
-    c->limit.record.power = (int)read_decimal_record(c, "limit", 0, MAX_POWER,
-                                                     &c->limit.record.line);
-    read_eigenpair(&c->limit.pair, c);
-}
-
-/* Of several valences: 0, and the eigenpair's frequency. */
-static void read_two_blocks(struct certificate *c)
-{
-    const int64_t m[2] = { 0, c->frequency };
-
-    c->block = allocate(2, sizeof c->block[0]);
-    if (c->claim == CLAIM_C1 && c->valence.last == ENDLESS && next_is(c, "limit"))
-        read_limit(c);
-    for (int i = c->has_limit ? 1 : 0; i < (c->frequency > 0 ? 2 : 1); i++) {
-        struct record r = begin_noted(c, "block", &c->block[i].line);
-
-        c->block[i].m.first = read_decimal(&r, 0, MAX_VALENCE_1);
-        c->block[i].m.last = read_decimal(&r, 0, MAX_VALENCE_1);
-        c->block[i].power = (int)read_decimal(&r, 0, MAX_POWER);
-        end_record(&r);
-        if (c->block[i].m.first != m[i] || c->block[i].m.last != m[i])
-            rejected(c->file, r.line, "block: expected `block %lld %lld`", (long long)m[i],
-                     (long long)m[i]);
-        c->blocks = i + 1;
-    }
-}
-
-/* Has one of the frequencies m an eigenpair? */
-static bool contains_own(const struct certificate *c, struct span m)
-{
-    if (c->reason == REASON_REAL && m.first <= c->second_frequency &&
-        c->second_frequency <= m.last)
-        return true;
-    return m.first <= c->frequency && c->frequency <= m.last;
-}
-
-static bool is_exact_frequency(const struct certificate *c, int64_t first, int64_t last)
-{
-    for (int i = 0; i < c->exact.count; i++)
-        if (first <= c->exact.line[i].m && c->exact.line[i].m <= last)
-            return true;
-    return false;
-}
-
-/* The next frequency without an exact block. */
-static int64_t skip_exact(const struct certificate *c, int64_t m)
-{
-    while (is_exact_frequency(c, m, m))
-        m++;
-    return m;
-}
-
-/* 0; 1; then without gaps up to floor(k/2); but for exact blocks. */
-static void read_blocks(struct certificate *c)
-{
-    int64_t next = skip_exact(c, 0), half = c->valence.first / 2;
-
-    c->block = allocate(MAX_BLOCKS, sizeof c->block[0]);
-    while ((c->blocks == 0 && next <= half) || next_is(c, "block")) {
-        struct block_record *b = &c->block[c->blocks];
-        struct record r = begin_noted(c, "block", &b->line);
-
-        b->m.first = read_decimal(&r, 0, MAX_VALENCE_1);
-        b->m.last = read_decimal(&r, 0, MAX_VALENCE_1);
-        b->power = (int)read_decimal(&r, 0, MAX_POWER);
-        end_record(&r);
-        if (b->m.first != next || b->m.last < b->m.first || b->m.last > half ||
-            is_exact_frequency(c, b->m.first, b->m.last) ||
-            (span_is_several(b->m) && (next <= 1 || contains_own(c, b->m))))
-            rejected(c->file, b->line, "block: expected `block 0 0`, `block 1 1`, then "
-                     "ranges without gaps up to %lld", (long long)half);
-        next = skip_exact(c, b->m.last + 1);
-        if (++c->blocks == MAX_BLOCKS && next_is(c, "block"))
-            cannot_check_at(c->file, b->line, 0, "expected at most %d blocks", MAX_BLOCKS);
-    }
-    if (next <= half)
-        rejected(c->file, c->line, "block: the frequencies from %lld on are missing",
-                 (long long)next);
-}
-
-static void read_trees(struct trees *out, struct certificate *c, const char *name)
-{
-    struct record r = begin_noted(c, name, &out->line);
-
-    out->word = read_word(&out->size, &r);
-    end_record(&r);
-    c->letters += out->size;
-    if (c->letters > MAX_ELEMENTS)
-        cannot_check_at(c->file, out->line, 0, "expected at most %d elements", MAX_ELEMENTS);
-}
-
-/* Q in 0..2^47 */
-static int64_t read_q(struct record *r)
-{
-    integer q;
-    int64_t out;
-
-    read_hex(&q, r, Q_BITS);
-    if (!integer_get_small(&out, q, INT64_C(1) << (Q_BITS - 1)) || out < 0)
-        cannot_check_at(r->c->file, r->line, 0, "%s: expected a number in 0..2^47", r->name);
-    return out;
-}
-
-/* There is one more of a kind of record. */
-static void count_record(int *count, int limit, const struct certificate *c,
-                         const char *name)
-{
-    if (++*count > limit)
-        cannot_check_at(c->file, c->line, 0, "expected at most %d records `%s`", limit,
-                        name);
-}
-
-/* `rise` or `wave` */
-static void read_rises(struct certificate *c, bool wave)
-{
-    const char *name = wave ? "wave" : "rise";
-
-    c->rise = allocate(MAX_RISES, sizeof c->rise[0]);
-    while (next_is(c, name)) {
-        struct rise *rise = &c->rise[c->rises];
-        struct record r;
-
-        count_record(&c->rises, MAX_RISES, c, name);
-        r = begin_noted(c, name, &rise->record.line);
-        rise->q = read_q(&r);
-        rise->record.m = (struct span) { wave ? 2 : 1, ENDLESS };
-        rise->record.power = (int)read_decimal(&r, 0, MAX_POWER);
-        end_record(&r);
-        read_eigenpair(&rise->pair, c);
-        if (wave)
-            read_trees(&rise->boundary, c, "boundary");
-    }
-}
-
-static void read_covers(struct certificate *c)
-{
-    c->cover = allocate(MAX_COVERS, sizeof c->cover[0]);
-    while (c->covers == 0 || next_is(c, "cover")) {
-        struct cover *cover = &c->cover[c->covers];
-        struct block_record *b = &cover->record;
-        struct record r;
-
-        count_record(&c->covers, MAX_COVERS, c, "cover");
-        r = begin_noted(c, "cover", &b->line);
-        b->m.first = read_decimal(&r, 0, MAX_VALENCE_1);
-        b->m.last = read_decimal_or_inf(&r, 0, MAX_VALENCE_1);
-        cover->q = read_q(&r);
-        b->power = (int)read_decimal(&r, 0, MAX_POWER);
-        end_record(&r);
-    }
-}
-
-static void read_decisions(struct certificate *c)
-{
-    struct record r = begin_noted(c, "halfplane", &c->line_of.halfplane);
-    integer component;
-
-    for (int i = 0; i < 2; i++) {
-        read_hex(&component, &r, NORMAL_BITS);
-        if (!integer_get_small(&c->normal[i], component, INT64_C(1) << NORMAL_BITS))
-            rejected(c->file, r.line, "halfplane: expected a small number");
-    }
-    end_record(&r);
-    read_trees(&c->regularity, c, "regularity");
-    read_trees(&c->boundary, c, "boundary");
-}
-
-/* What proves the rest at several valences. */
-static void read_ranges(struct certificate *c)
-{
-    read_two_blocks(c);
-    if (c->claim == CLAIM_C1)
-        read_rises(c, false);
-    read_covers(c);
-}
-
-/* A window of frequencies. */
-static void read_window(struct certificate *c)
-{
-    struct record r = begin_noted(c, "window", &c->line_of.window);
-    int line;
-
-    c->window = read_q(&r);
-    end_record(&r);
-    read_hex_record(&c->bound, 1, c, "bound", c->grid + BITS_ABOVE_GRID, &line);
-    if (c->bound.sign <= 0)
-        rejected(c->file, line, "bound: it is not positive");
-    read_rises(c, true);
-}
-
-/* `witness D P`: P digits from 0 to 3, or `-` */
-static void read_witness(struct certificate *c)
-{
-    struct witness *w = &c->witness[c->witnesses++];
-    struct record r = begin_noted(c, "witness", &w->line);
-
-    w->element = read_decimal(&r, 0, MAX_ELEMENTS);
-    w->path = next_token(&w->path_size, &r);
-    end_record(&r);
-    if (token_is(w->path, w->path_size, "-"))
-        w->path_size = 0;
-    for (size_t i = 0; i < w->path_size; i++)
-        if (w->path[i] < '0' || w->path[i] > '3')
-            rejected(c->file, w->line, "witness: expected digits from 0 to 3, or `-`");
-}
-
-static void read_refutation(struct certificate *c)
-{
-    if (c->reason == REASON_FREQUENCY)
-        read_trees(&c->boundary, c, "boundary");
-    if (c->reason == REASON_NOT_C0 || c->reason == REASON_FOLD || c->reason == REASON_REAL)
-        read_witness(c);
-    if (c->reason == REASON_FOLD)
-        read_witness(c);
-}
-
-/* `second m'` and its eigenpair, in the real form. */
-static void read_second(struct certificate *c, int n)
-{
-    struct certificate own = *c;
-    int line;
-
-    own.second_frequency = read_decimal_record(&own, "second", 0, MAX_VALENCE_1, &line);
-    if (own.second_frequency < 1 || 2 * own.second_frequency >= c->valence.first)
-        rejected(c->file, line, "second: it is not between 0 and k/2");
-    own.frequency = own.second_frequency;
-    read_form(&own);
-    if (!own.real)
-        rejected(c->file, own.line_of.form, "form: expected `real`");
-    own.n = own.size = n;
-    read_eigenpair(&own.second, &own);
-    c->second_frequency = own.second_frequency;
-    c->second = own.second;
-    c->next = own.next;
-    c->line = own.line;
-}
-
-/* Exact ties
- * ---------- */
-
-/* g: for each coefficient Q > 0 and d numerators, without a common divisor. */
-static void read_factor(struct certificate *c, int d)
-{
-    struct exact_choices *e = &c->exact;
-
-    e->degree = (int)read_decimal_record(c, "factor", 0, MAX_FACTOR, &e->line_of.factor);
-    if (e->degree < 1)
-        rejected(c->file, e->line_of.factor, "factor: its degree is not positive");
-    e->coefficient = allocate((size_t)e->degree * (size_t)(d + 1), sizeof e->coefficient[0]);
-    for (int i = 0; i < e->degree; i++) {
-        integer *q = &e->coefficient[i * (d + 1)], gcd;
-        int line;
-
-        read_hex_record(q, d + 1, c, "coefficient", RATIONAL_BITS, &line);
-        gcd = q[0];
-        for (int part = 1; part <= d; part++)
-            gcd = integer_gcd(gcd, q[part]);
-        if (q[0].sign <= 0 || integer_bits(gcd) != 1)
-            rejected(c->file, line, "coefficient: its denominator is not positive, or it is "
-                     "not in lowest terms");
-    }
-}
-
-/* `1` or `-1` */
-static int read_sign(struct record *r)
-{
-    size_t size;
-    const char *token = next_token(&size, r);
-
-    if (!token_is(token, size, "1") && !token_is(token, size, "-1"))
-        rejected(r->c->file, r->line, "%s: expected 1 or -1 for s", r->name);
-    return size == 1 ? 1 : -1;
-}
-
-static void read_exact_record(struct exact_record *out, struct certificate *c)
-{
-    struct record r = begin_noted(c, "exact", &out->record.line);
-
-    out->m = read_decimal(&r, 0, MAX_VALENCE_1);
-    out->sign = read_sign(&r);
-    out->a = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
-    out->q = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
-    out->j = (int)read_decimal(&r, 0, MAX_PIVOT);
-    out->record.power = (int)read_decimal(&r, 0, MAX_POWER);
-    out->record.m = span_of(out->m);
-    end_record(&r);
-    if (2 * out->m > c->valence.first || (out != c->exact.line && out->m <= out[-1].m))
-        rejected(c->file, r.line, "exact: frequencies have to rise, up to k/2");
-    if (out->q < 1 || out->q > out->a)
-        rejected(c->file, r.line, "exact: it must be 1 <= q <= a");
-}
-
-static void read_exact_records(struct certificate *c)
-{
-    struct exact_choices *e = &c->exact;
-
-    e->line = allocate(MAX_EXACT, sizeof e->line[0]);
-    while (e->count == 0 || next_is(c, "exact")) {
-        if (e->count == MAX_EXACT)
-            cannot_check_at(c->file, c->line, 0, "expected at most %d exact blocks", MAX_EXACT);
-        read_exact_record(&e->line[e->count], c);
-        e->count++;
-    }
-}
-
 /* What proves the eigenvalue and bounds the rest. */
 static void read_root(struct certificate *c, int d)
 {
     struct exact_choices *e = &c->exact;
-    int bits = c->grid + BITS_ABOVE_GRID, line;
 
     read_factor(c, d);
-    read_hex_record(&e->eigenvalue, 1, c, "eigenvalue", bits, &e->line_of.eigenvalue);
-    read_hex_record(&e->radius, 1, c, "radius", bits, &line);
-    if (e->radius.sign <= 0)
-        rejected(c->file, line, "radius: it is not positive");
-    e->others.power = (int)read_decimal_record(c, "others", 0, MAX_POWER, &e->others.line);
+    e->line_of.eigenvalue = read_record(c, "eigenvalue", "h", &e->eigenvalue, 1,
+                                        c->grid + BITS_ABOVE_GRID);
+    read_positive(&e->radius, c, "radius");
+    e->others.line = read_record(c, "others", "p", &e->others.power);
 }
 
 /* The records of exact.md from `field` on. */
 static void read_exact(struct certificate *c)
 {
     struct exact_choices *e = &c->exact;
-    int d;
+    int line = read_record(c, "field", "n", &e->field, MIN_FIELD, MAX_FIELD);
+    int d = field_degree(e->field);
+    bool has_root = c->reason != REASON_MODULUS_ONE;
 
     c->frequency = -1;
-    e->field = (int)read_decimal_record(c, "field", MIN_FIELD, MAX_FIELD, &e->line_of.field);
-    d = field_degree(e->field);
     if (d > MAX_DEGREE)
-        cannot_check_at(c->file, e->line_of.field, 0, "field: its degree is beyond %d",
-                        MAX_DEGREE);
-    if (c->reason != REASON_MODULUS_ONE)
+        cannot_check_at(c->file, line, 0, "field: its degree is beyond %d", MAX_DEGREE);
+    if (has_root)
         read_root(c, d);
-    read_exact_records(c);
-    if (c->reason == REASON_MODULUS_ONE && e->count > 1)
+    e->line = allocate(MAX_EXACT, sizeof e->line[0]);
+    do {
+        if (e->count == MAX_EXACT)
+            cannot_check_at(c->file, c->line, 0, "expected at most %d exact blocks", MAX_EXACT);
+        read_exact_record(&e->line[e->count++], c);
+    } while (next_is(c, "exact"));
+    if (!has_root && e->count > 1)
         rejected(c->file, e->line[1].record.line, "exact: expected one only");
-    if (c->reason != REASON_MODULUS_ONE)
+    if (has_root)
         read_blocks(c);
     check_total_power(c);
-    if (c->reason == REASON_JORDAN)
-        read_trees(&c->boundary, c, "boundary");
-    for (int i = 0; i < (c->reason == REASON_TIE ? 2 : 1) && c->reason != REASON_JORDAN; i++)
-        read_witness(c);
+    read_refutation(c);
+}
+
+static void read_stability(struct certificate *c)
+{
+    struct record r = begin_record(c, "stability");
+
+    for (int i = 0; i < 3; i++) {
+        c->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
+        c->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
+    }
+    c->line_of.stability = end_record(&r);
 }
 
 void certificate_read_form(struct certificate *out, bool plainly_regular)
 {
-    struct record r = begin_noted(out, "contraction", &out->line_of.contraction);
+    int *n = out->contraction, most = MAX_CONTRACTION;
 
-    for (int i = 0; i < 3; i++)
-        out->contraction[i] = (int)read_decimal(&r, 1, MAX_CONTRACTION);
-    end_record(&r);
+    out->line_of.contraction = read_record(out, "contraction", "nnn", &n[0], 1, most,
+                                           &n[1], 1, most, &n[2], 1, most);
     out->real = true;
     out->frequency = 1;
     for (int i = 0; i < 3; i++)
         out->stability[i] = 1024;
     if (out->version == 0 || plainly_regular)
         return;
-    r = begin_noted(out, "stability", &out->line_of.stability);
-    for (int i = 0; i < 3; i++) {
-        out->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
-        out->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
-    }
-    end_record(&r);
+    read_stability(out);
     if (out->claim == CLAIM_NOT_C1)
         read_reason(out);
     if (certificate_is_exact(out)) {
@@ -771,13 +786,15 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
     read_form(out);
 }
 
-void certificate_read_choices(struct certificate *out, int n, int n_second)
+void certificate_read_choices(struct certificate *out, int n, const int n_second[2])
 {
     out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
     out->n = n;
     out->size = out->real ? n : 2 * n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
         cannot_check("%s: blocks of %d unknowns", out->file, out->size);
+    if (out->graded)
+        read_grades(out);
     if (out->frequency < 0)
         read_window(out);
     else
@@ -801,21 +818,17 @@ void certificate_read_choices(struct certificate *out, int n, int n_second)
  * it, and nothing follows. */
 void certificate_read_end(struct certificate *c)
 {
-    struct record r;
-    size_t size;
-    const char *token;
     char hash[65];
-    int line, above = c->line - 1;
+    const char *const words[] = { hash };
+    int line, count, choice, above = c->line - 1;
 
-    if (read_decimal_record(c, "records", 0, 999999999, &line) != above)
+    line = read_record(c, "records", "n", &count, 0, MAX_NUMBER);
+    if (count != above)
         rejected(c->file, line, "records: there are %d lines above", above);
-
     sha256_hex(hash, (const unsigned char *)c->text, (size_t)(c->next - c->text));
-    begin_record(&r, c, "sha256");
-    token = next_token(&size, &r);
-    end_record(&r);
-    if (!token_is(token, size, hash))
-        rejected(c->file, r.line, "sha256: the hash of the lines above is %s", hash);
+    line = read_record(c, "sha256", "w", &choice, words, 1);
+    if (choice != 0)
+        rejected(c->file, line, "sha256: the hash of the lines above is %s", hash);
     if (c->next != c->end)
         rejected(c->file, c->line, "expected the end of the file");
 }

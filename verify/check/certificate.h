@@ -4,10 +4,9 @@
 /* Certificates
  * ============
  *
- * Section 1 of certificate.md and of certificate-valences.md: the file.  Reading checks its form, its limits,
- * its records and its hash; what the choices prove is checked elsewhere.
- * A file that has not exactly the form: rejected.  Beyond a limit: cannot
- * check.
+ * Section 1 of certificate.md and of certificate-valences.md: the file.  Reading checks its form,
+ * its limits, its records and its hash; what the choices prove is checked elsewhere.  A file that
+ * has not exactly the form: rejected.  Beyond a limit: cannot check.
  */
 
 #include "field.h"
@@ -79,7 +78,7 @@ struct exact_choices {
     int count;
     struct exact_record *line;
     struct {
-        int field, factor, eigenvalue;
+        int eigenvalue;
     } line_of;
 };
 
@@ -97,13 +96,17 @@ struct certificate {
     int stability_power[3];                        /* n_i, T_i */
     int64_t stability[3];
     enum reason {
-        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_REAL,
-        REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
+        REASON_NONE, REASON_FREQUENCY, REASON_NOT_C0, REASON_FOLD, REASON_WINDING,
+        REASON_REAL, REASON_TIE, REASON_JORDAN, REASON_MODULUS_ONE
     } reason;
     int64_t frequency;                             /* m of the eigenpair; c1: 1; -1: of a */
     int64_t window;                                /* window from there on, 2^-48; */
     integer bound;                                 /* with this R */
-    bool real;                                     /* the form; also `plain` */
+    bool real;                                     /* the form; also `plain`, `graded` */
+    bool graded;
+    int64_t unit;                                  /* q */
+    int degree;                                    /* d; the e_i */
+    int *grade;
     int n;                                         /* number of unknowns of a block */
     int size;                                      /* N: n or, complex form, 2 n */
     struct choices pair;
@@ -120,12 +123,10 @@ struct certificate {
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */
     size_t letters;                                /* of all words of trees */
-    int witnesses;
     struct witness witness[2];
 
     struct {                                       /* for messages */
-        int scheme, claim, valence, grid, contraction, stability, reason, form;
-        int window, halfplane;
+        int scheme, claim, valence, contraction, stability, form, window;
     } line_of;
 
     const char *text, *end, *next;                 /* still to be read: next */
@@ -144,8 +145,9 @@ void certificate_read_form(struct certificate *out, bool plainly_regular);
 bool certificate_is_exact(const struct certificate *c);
 
 /* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
- * less than block 0 has); reason real: the second one has n_second. */
-void certificate_read_choices(struct certificate *out, int n, int n_second);
+ * less than block 0 has); reason real: the second one has n_second[0] for m' = 0, else
+ * n_second[1]. */
+void certificate_read_choices(struct certificate *out, int n, const int n_second[2]);
 
 void certificate_read_end(struct certificate *out);
 

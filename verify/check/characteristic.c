@@ -3,7 +3,7 @@
 #include "characteristic.h"
 
 #include "answer.h"
-#include "influence.h"
+#include "scheme.h"
 
 #include <string.h>
 
@@ -49,18 +49,13 @@ static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 
 static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
 {
-    struct affine a = pair->real, b = pair->imaginary, d;
-    struct pair out;
+    struct pair l = { pair->real, pair->imaginary };
 
-    if (real) {
-        out.x = affine_div(v.x, a, g);
-        out.y = affine_div(v.y, a, g);
-        return out;
-    }
-    d = affine_add(affine_mul(a, a, g), affine_mul(b, b, g));
-    out.x = affine_div(affine_add(affine_mul(v.x, a, g), affine_mul(v.y, b, g)), d, g);
-    out.y = affine_div(affine_sub(affine_mul(v.y, a, g), affine_mul(v.x, b, g)), d, g);
-    return out;
+    if (!real)
+        return pair_divide(v, l, g);
+    v.x = affine_div(v.x, l.x, g);
+    v.y = affine_div(v.y, l.x, g);
+    return v;
 }
 
 /* The net with more rings: V is an eigenvector of the scheme on the whole complex, so
@@ -82,7 +77,7 @@ static struct net extend_net(const struct net *old, const struct block *block,
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
             net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
                 ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real || block->plain,
+                : divide(net_value(&new, block, a, b), pair, block->real || !block->has_y,
                          block->v->g));
     return out;
 }
@@ -172,9 +167,8 @@ static void prepare_bases(struct characteristic *out, const struct mask *mask, i
     }
 }
 
-void characteristic_prepare(struct characteristic *out, const struct block *block,
-                            const struct eigenpair *pair, const struct mask q[3],
-                            const struct certificate *c)
+void characteristic_begin(struct characteristic *out, const struct block *block,
+                          const struct mask q[3], const struct certificate *c)
 {
     const struct scheme *scheme = block->v->scheme;
     enum mesh mesh = scheme->mesh;
@@ -196,14 +190,27 @@ void characteristic_prepare(struct characteristic *out, const struct block *bloc
     out->radius = ring_radius(mesh, omega, h, scheme_influence(scheme));
     out->elements = ring_elements(&out->element, mesh, out->radius, false);
     out->segments = ring_elements(&out->segment, mesh, out->radius, true);
-
-    out->net = net_make(mesh, block->rings);
-    net_set_unknowns(&out->net, block, pair->unknowns);
-    while (out->net.rings < 2 * out->radius + omega)
-        out->net = extend_net(&out->net, block, pair, 2 * out->radius + omega);
-
-    collect_rho(&out->value, out, out->segment, out->segments);
-    collect_rho(&out->first, out, out->element, out->elements);
-    collect_rho(&out->second, out, out->element, out->elements);
+    out->rings = 2 * out->radius + omega;
     prepare_bases(out, &scheme->mask, g, c);
+}
+
+void characteristic_use(struct characteristic *c, const struct net *net)
+{
+    c->net = *net;
+    collect_rho(&c->value, c, c->segment, c->segments);
+    collect_rho(&c->first, c, c->element, c->elements);
+    collect_rho(&c->second, c, c->element, c->elements);
+}
+
+void characteristic_prepare(struct characteristic *out, const struct block *block,
+                            const struct eigenpair *pair, const struct mask q[3],
+                            const struct certificate *certificate)
+{
+    struct net net = net_make(block->v->scheme->mesh, block->rings);
+
+    characteristic_begin(out, block, q, certificate);
+    net_set_unknowns(&net, block, pair->unknowns);
+    while (net.rings < out->rings)
+        net = extend_net(&net, block, pair, out->rings);
+    characteristic_use(out, &net);
 }

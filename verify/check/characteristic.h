@@ -33,10 +33,18 @@ struct characteristic {
     int radius;                                    /* r */
     int elements, segments;                        /* of regularity, of the boundary */
     struct element *element, *segment;
-    struct net net;                                /* V on rings up to 2r + omega */
+    int rings;                                     /* 2r + omega: */
+    struct net net;                                /* V on that many */
 };
 
-/* Windows, ring and net, for q_0, q_1, q_2. */
+/* Windows and ring, for q_0, q_1, q_2. */
+void characteristic_begin(struct characteristic *out, const struct block *block,
+                          const struct mask q[3], const struct certificate *certificate);
+
+/* What follows from the net. */
+void characteristic_use(struct characteristic *c, const struct net *net);
+
+/* All that, with the net of the pair. */
 void characteristic_prepare(struct characteristic *out, const struct block *block,
                             const struct eigenpair *pair, const struct mask q[3],
                             const struct certificate *certificate);

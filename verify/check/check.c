@@ -6,9 +6,9 @@
 #include "certificate.h"
 #include "characteristic.h"
 #include "decide.h"
+#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
-#include "stability.h"
 #include "text.h"
 #include "ties.h"
 #include "window.h"
@@ -29,7 +29,7 @@ struct statement {
     const char *file;
     char *text, *canonical;
     size_t text_size, canonical_size;
-    struct setting *settings;
+    const struct setting *settings;
     int setting_count;
     bool not_c1;                                   /* the claim */
 
@@ -44,60 +44,31 @@ struct statement {
 /* Section 3
  * --------- */
 
-/* The value of a setting as it stands in canonical text. */
-static const char *canonical_value(const char *value, size_t *size)
-{
-    char *out = text_canonical("--set", value, strlen(value), size);
-
-    if (*size < 2 || strchr(value, '#') != NULL || strchr(value, '\n') != NULL)
-        cannot_check("--set: expected a value on one line");
-    (*size)--;                                     /* the LF */
-    return out;
-}
-
-/* Where the value of parameter `name` begins in the canonical text, or NULL. */
-static char *find_parameter(char *text, const char *name)
-{
-    static const char word[] = "parameter ";
-    size_t length = strlen(name);
-
-    for (char *line = text; line != NULL && *line != '\0'; ) {
-        char *at = line + strlen(word);
-
-        if (strncmp(line, word, strlen(word)) == 0 && strncmp(at, name, length) == 0) {
-            at += length;
-            at += *at == ' ' ? 1 : 0;
-            if (*at == '=')
-                return at[1] == ' ' ? at + 2 : at + 1;
-        }
-        line = strchr(line, '\n');
-        line = line == NULL ? NULL : line + 1;
-    }
-    return NULL;
-}
-
-/* Settings without a parameter are complained of when the scheme is read. */
+/* Puts the value in place of that in the scheme's text. */
 static void apply_setting(struct statement *s, const struct setting *setting)
 {
-    char *from = find_parameter(s->canonical, setting->name), *to, *out;
-    size_t size, before, behind;
-    const char *value;
+    struct statements line = { s->file, 0, s->text, s->text + s->text_size };
+    size_t before, behind, size = strlen(setting->value);
+    struct cursor c;
+    char *out;
 
-    if (from == NULL)
-        return;
-    value = canonical_value(setting->value, &size);
-    to = strchr(from, '\n');
-    before = (size_t)(from - s->canonical);
-    behind = s->canonical_size - (size_t)(to - s->canonical);
+    do
+        if (!statements_more(&c, &line))
+            cannot_check("--set: the scheme has no parameter `%s`", setting->name);
+    while (!cursor_accept_word(&c, "parameter") || !cursor_accept_word(&c, setting->name) ||
+           !cursor_accept(&c, '='));
+    cursor_skip_blanks(&c);
+    before = (size_t)(c.at - s->text);
+    behind = s->text_size - (size_t)(c.end - s->text);
     out = allocate(before + size + behind + 1, 1);
-    memcpy(out, s->canonical, before);
-    memcpy(out + before, value, size);
-    memcpy(out + before + size, to, behind);
-    s->canonical = out;
-    s->canonical_size = before + size + behind;
+    memcpy(out, s->text, before);
+    memcpy(out + before, setting->value, size);
+    memcpy(out + before + size, c.end, behind);
+    s->text = out;
+    s->text_size = before + size + behind;
 }
 
-struct statement *statement_new(const char *scheme_file, struct setting *settings,
+struct statement *statement_new(const char *scheme_file, const struct setting *settings,
                                 int setting_count, bool not_c1)
 {
     struct statement *out = allocate(1, sizeof *out);
@@ -138,15 +109,14 @@ static void compare_subject(const struct certificate *c, const struct statement 
 static void read_statement(struct statement *s)
 {
     s->text = text_read_file(s->file, MAX_SCHEME_BYTES, &s->text_size);
-    s->canonical = text_canonical(s->file, s->text, s->text_size, &s->canonical_size);
     for (int i = 0; i < s->setting_count; i++)
         apply_setting(s, &s->settings[i]);
+    s->canonical = text_canonical(s->file, s->text, s->text_size, &s->canonical_size);
 }
 
 static void read_scheme(struct statement *s)
 {
-    scheme_read(&s->scheme, s->file, s->text, s->text_size, s->settings,
-                s->setting_count);
+    scheme_read(&s->scheme, s->file, s->text, s->text_size);
     s->divisible = regular_derive(&s->derived, &s->scheme.mask, s->scheme.mesh);
     if (s->divisible) {
         s->q[0] = s->scheme.mask;
@@ -218,74 +188,68 @@ static void check_nonnegative(const struct statement *s, const struct certificat
 /* Sections 5 and 6
  * ---------------- */
 
-static interval *constants(const struct affine *matrix, int size)
-{
-    return affine_constants(matrix, (size_t)size * (size_t)size);
-}
-
-/* A block with an eigenpair that is left out of the rest; `choices` are about it. */
-struct known {
+/* An eigenpair of a block with the matrix b, and the choices for it. */
+struct proved_pair {
     const struct certificate *choices;
-    const interval *matrix;
-    const struct eigenpair *pair;
+    const struct block *block;
+    const struct affine *b;
+    struct eigenpair pair;
 };
 
-/* The rest: all blocks, the known ones first; `real` is the form of the others, and s is that of
- * the pairs. */
-static void check_rest(const struct known *known, int count, const struct valence *valence,
+/* The rest: all blocks, those of the pairs first, each with what its certificate says; `real` is
+ * the form of the others, and s is that of the pairs. */
+static void check_rest(const struct proved_pair *proved, int count, const struct valence *valence,
                        bool real, interval s, const struct certificate *c)
 {
-    const struct eigenpair none = { .s = s };
-    bool is_known[2];
+    const char *name = c->version == 0 ? "power" : "block";
+    bool *done = allocate((size_t)c->blocks, sizeof done[0]);
 
-    for (int n = 0; n < count; n++)
-        for (int i = 0; i < c->blocks; i++)
-            if (c->block[i].m.first == known[n].choices->frequency)
-                spectrum_prove_rest(known[n].matrix, known[n].choices->size, c->grid,
-                                    known[n].pair, &c->block[i], known[n].choices);
+    for (int n = 0; n < count; n++) {
+        for (int i = 0; i < c->blocks; i++) {
+            if (c->block[i].m.first == proved[n].choices->frequency) {
+                spectrum_prove_rest(&proved[n].pair, &c->block[i], name, proved[n].choices);
+                done[i] = true;
+            }
+        }
+    }
     for (int i = 0; i < c->blocks; i++) {
         struct mark mark = scratch_mark();
         struct valence v = *valence;
-        struct block other;
         struct span m = c->block[i].m;
+        struct block other;
 
-        for (int n = 0; n < 2; n++)
-            is_known[n] = n < count && m.first == known[n].choices->frequency;
-        if (is_known[0] || is_known[1])
+        if (done[i])
             continue;
         v.reference.line = c->block[i].line;
         if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
             m.first--;                             /* a box of its own is too long */
         block_prepare(&other, &v, real, m);
-        spectrum_prove_rest(constants(block_matrix(&other), other.size), other.size,
-                            c->grid, &none, &c->block[i], c);
+        spectrum_prove_block(&other, s, &c->block[i], name, c);
         scratch_release(mark);
     }
 }
 
-/* The matrix of a block: in the plain form that of differences. */
-static const interval *find_matrix(const struct block *block, struct affine *b)
+/* The eigenpair of the block.  For m = 0 it is about differences, in the complex form twice. */
+static struct proved_pair prove_pair(const struct block *block, const struct certificate *c)
 {
-    return block->plain
-         ? constants(spectrum_without_constants(b, block->n), block->n - 1)
-         : constants(b, block->size);
+    struct proved_pair out = { .choices = c, .block = block, .b = block_matrix(block) };
+    const struct affine *matrix = out.b;
+
+    if (block->plain)
+        matrix = spectrum_without_constants(out.b, block->n);
+    if (block->plain && block->has_y)
+        matrix = spectrum_doubled(matrix, block->n - 1);
+    out.pair = eigenpair_prove(matrix, &c->pair, c);
+    spectrum_prove_size(&out.pair, c);
+    return out;
 }
 
-/* block: that of L.  In the plain form the eigenpair is about differences, and comes
- * back as the net. */
-static struct eigenpair check_spectrum(const struct block *block,
-                                       const struct certificate *c)
+/* Its net. */
+static void prepare_net(struct characteristic *out, struct proved_pair *p, const struct mask q[3])
 {
-    struct affine *b = block_matrix(block);
-    const interval *matrix = find_matrix(block, b);
-    struct eigenpair pair = spectrum_prove_eigenpair(matrix, c->grid, c);
-    struct known known = { c, matrix, &pair };
-
-    check_rest(&known, 1, block->v, c->frequency == 0 ? block->v->scheme->mirrored : c->real,
-               pair.s, c);
-    if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
-    return pair;
+    if (p->block->plain)
+        spectrum_add_constants(&p->pair, p->b, p->block->n, !p->choices->real, p->choices);
+    characteristic_prepare(out, p->block, &p->pair, q, p->choices);
 }
 
 /* All of it
@@ -318,75 +282,41 @@ static void decide(const struct characteristic *characteristic, const struct cer
     case REASON_FOLD:
         decide_fold(characteristic, c);
         break;
+    case REASON_WINDING:
+        decide_winding(characteristic, c);
+        break;
     default:                                       /* the others have checks of their own */
         cannot_check("the checker does not know how to decide this");
     }
 }
 
-/* Section 10, `real`
- * ------------------ */
-
-/* The eigenpair of a block as its net, and what is about it. */
-struct function {
-    struct certificate choices;
-    struct block block;
-    struct affine *b;
-    const interval *matrix;
-    struct eigenpair pair;
-    interval modulus;
-    struct characteristic net;
-};
-
-static struct function *prove_function(const struct block *block,
-                                       const struct certificate *choices)
-{
-    struct function *out = allocate(1, sizeof *out);
-
-    out->choices = *choices;
-    out->block = *block;
-    out->b = block_matrix(block);
-    out->matrix = find_matrix(block, out->b);
-    out->pair = spectrum_prove_eigenpair(out->matrix, choices->grid, &out->choices);
-    out->modulus = interval_abs(affine_range(out->pair.real));
-    return out;
-}
-
-static void prepare_function(struct function *f, const struct mask q[3])
-{
-    if (f->block.plain)
-        f->pair.unknowns = spectrum_with_constants(f->pair.unknowns, f->pair.real, f->b,
-                                                   f->block.n, f->choices.grid);
-    characteristic_prepare(&f->net, &f->block, &f->pair, q, &f->choices);
-}
-
+/* Section 10, `real`. */
 static struct verified check_real(const struct statement *s, const struct block *block,
                                   const struct certificate *c)
 {
-    struct verified out = { .real = false, .frequency = c->frequency, .g = c->grid };
-    struct certificate *own = allocate(1, sizeof *own);
-    struct function *first = prove_function(block, c), *second;
+    struct certificate own = *c;
+    struct proved_pair proved[2];
+    struct characteristic *net = allocate(2, sizeof net[0]);
+    interval modulus[2];
     struct block other;
 
-    *own = *c;
-    own->frequency = c->second_frequency;
-    own->pair = c->second;
-    block_prepare(&other, block->v, true, span_of(c->second_frequency));
-    own->n = own->size = other.n;
-    second = prove_function(&other, own);
-    if (integer_compare(second->modulus.hi, first->modulus.lo) >= 0)
+    own.frequency = c->second_frequency;
+    own.pair = c->second;
+    block_prepare(&other, block->v, true, span_of(own.frequency));
+    own.n = own.size = other.plain ? other.n - 1 : other.n;
+    proved[0] = prove_pair(block, c);
+    proved[1] = prove_pair(&other, &own);
+    for (int i = 0; i < 2; i++)
+        modulus[i] = interval_abs(affine_range(proved[i].pair.real));
+    if (integer_compare(modulus[1].hi, modulus[0].lo) >= 0)
         rejected(c->file, c->second.line_of.eigenvalue,
                  "eigenvalue: |l'| is not proved to be smaller than |l|");
-    first->pair.s = second->pair.s;
-
-    struct known known[2] = { { &first->choices, first->matrix, &first->pair },
-                              { &second->choices, second->matrix, &second->pair } };
-
-    check_rest(known, 2, block->v, true, second->pair.s, c);
-    prepare_function(first, s->q);
-    prepare_function(second, s->q);
-    decide_independent(&first->net, &second->net, c);
-    out.eigenvalue = first->modulus;
-    return out;
+    proved[0].pair.s = proved[1].pair.s;
+    check_rest(proved, 2, block->v, true, proved[1].pair.s, c);
+    for (int i = 0; i < 2; i++)
+        prepare_net(&net[i], &proved[i], s->q);
+    decide_independent(&net[0], &net[1], c);
+    return (struct verified) { .frequency = c->frequency, .g = c->grid, .eigenvalue = modulus[0] };
 }
 
 /* exact.md. */
@@ -410,21 +340,34 @@ static struct verified check_window(const struct statement *s, const struct vale
     return out;
 }
 
-/* One eigenpair, and what its function decides. */
+static struct verified check_graded(const struct statement *s, const struct block *block,
+                                    const struct certificate *c)
+{
+    return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
+                               .eigenvalue = graded_prove(block, s->q, c) };
+}
+
+/* One eigenpair, and what its function decides.  The plain form says nothing about the form of
+ * the other blocks. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
                                        const struct certificate *c)
 {
+    const struct valence *v = block->v;
     struct verified out = { .real = c->real && !s->not_c1, .frequency = c->frequency,
                             .g = c->grid };
-    struct eigenpair pair = span_is_several(c->valence) ? valences_prove_spectrum(block, c)
-                                                        : check_spectrum(block, c);
-    struct characteristic characteristic;
+    struct proved_pair proved = prove_pair(block, c);
+    struct characteristic *characteristic = allocate(1, sizeof *characteristic);
 
+    if (c->reason != REASON_NOT_C0 && span_is_several(c->valence))
+        valences_prove_rest(v, &proved.pair, c);
+    else
+        check_rest(&proved, 1, v, c->real && block->plain ? v->scheme->mirrored : c->real,
+                   proved.pair.s, c);
     if (c->version == 0)
         check_nonnegative(s, c);
-    characteristic_prepare(&characteristic, block, &pair, s->q, c);
-    decide(&characteristic, c);
-    out.eigenvalue = eigenvalue_size(&pair, out.real, c->grid);
+    prepare_net(characteristic, &proved, s->q);
+    decide(characteristic, c);
+    out.eigenvalue = eigenvalue_size(&proved.pair, out.real, c->grid);
     return out;
 }
 
@@ -432,21 +375,24 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 static void prepare_block(struct block *out, const struct valence *v,
                           const struct certificate *c)
 {
-    if (span_is_several(c->valence))
+    if (c->graded)
+        graded_prepare_block(out, v);
+    else if (span_is_several(c->valence))
         valences_prepare_block(out, v, c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
+    out->has_y = out->has_y || !c->real;
 }
 
-/* How many unknowns have blocks in the real form? */
-static int real_unknowns(const struct valence *v)
+/* How many unknowns has the eigenpair of block m in the real form (0: plain)? */
+static int unknowns(const struct valence *v, int64_t m)
 {
     struct mark mark = scratch_mark();
     struct block block;
 
-    block_prepare(&block, v, true, span_of(1));
+    block_prepare(&block, v, true, span_of(m));
     scratch_release(mark);
-    return block.n;
+    return m == 0 ? block.n - 1 : block.n;
 }
 
 static struct verified check_choices(struct statement *s, struct certificate *c)
@@ -455,6 +401,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
+    int n_second[2] = { 0, 0 };
     struct block block;
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
@@ -478,8 +425,10 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    certificate_read_choices(c, block.plain ? block.n - 1 : block.n,
-                             c->reason == REASON_REAL ? real_unknowns(v) : 0);
+    for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
+        n_second[m] = unknowns(v, m);
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
+                             n_second);
     certificate_read_end(c);
 
     check_contraction(s, c);
@@ -487,6 +436,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         check_stability(s, c);
     if (c->frequency < 0)
         return check_window(s, v, c);
+    if (c->graded)
+        return check_graded(s, &block, c);
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);
@@ -525,10 +476,8 @@ struct verified check_certificate(struct statement *s, struct span k, const char
         read_scheme(s);
         mark = scratch_mark();
     }
-    if (c->version == 0 && s->scheme.language.beyond_0.message != NULL)
-        cannot_check_at(s->file, s->scheme.language.beyond_0.line,
-                        s->scheme.language.beyond_0.column, "%s",
-                        s->scheme.language.beyond_0.message);
+    if (c->version == 0 && !scheme_is_of_version_0(&s->scheme))
+        cannot_check("%s: expected a scheme of version 0 (verify/scheme-0.md)", s->file);
     out = check_choices(s, c);
     interval_keep(mark, &out.eigenvalue, 1);
     return out;

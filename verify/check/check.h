@@ -8,12 +8,19 @@
 /* What is claimed: the reader's scheme. */
 struct statement;
 
-struct statement *statement_new(const char *scheme_file, struct setting *settings,
+/* --set NAME=VALUE, of one line */
+struct setting {
+    const char *name, *value;
+};
+
+struct statement *statement_new(const char *scheme_file, const struct setting *settings,
                                 int setting_count, bool not_c1);
 
 struct verified {
     bool plainly_regular, real;
     bool exact;                                    /* L is 1 or -1 */
+    int64_t unit;                                  /* q and d, if it is |L| (q/k)^d */
+    int degree;
     int64_t frequency;                             /* m; -1: a window of frequencies */
     interval eigenvalue;                           /* L or |L|, on the grid g */
     int g;

@@ -1,10 +1,11 @@
-/* The valences that are claimed: the option --valence. */
+/* The valences that are claimed, and which certificates are to prove the claim. */
 
 #include "claim.h"
 
 #include "answer.h"
-#include "scratch.h"
+#include "check.h"
 
+#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,4 +98,117 @@ void claim_read(struct claim *out, const char *text)
             cannot_check("--valence: expected numbers and ranges, such as 3..7,20");
     }
     normalize(out);
+}
+
+/* Folders
+ * ------- */
+
+static void append(struct folder *l, struct proof_file e)
+{
+    if (l->count == l->room) {
+        struct proof_file *more = allocate(2 * (size_t)l->room + 64, sizeof more[0]);
+
+        if (l->count > 0)
+            memcpy(more, l->file, (size_t)l->count * sizeof more[0]);
+        l->file = more;
+        l->room = 2 * l->room + 64;
+    }
+    l->file[l->count++] = e;
+}
+
+static bool is_certificate(const char *name)
+{
+    const char *suffix = ".cert";
+    size_t size = strlen(name);
+
+    return size > strlen(suffix) && strcmp(name + size - strlen(suffix), suffix) == 0;
+}
+
+/* Adds the certificate if it is about something of the claim. */
+static void consider(struct folder *l, const char *folder, const char *file,
+                     const struct claim *claim)
+{
+    size_t size = strlen(folder) + strlen(file) + 2;
+    char *name = allocate(size, 1);
+    struct proof_file e = { name, NOTHING };
+
+    snprintf(name, size, "%s/%s", folder, file);
+    e.k = check_valences(name);
+    for (int i = 0; i < claim->count; i++) {
+        struct span s = claim->span[i];
+
+        if (e.k.last < s.first || s.last < e.k.first)
+            continue;
+        if (e.k.first < s.first || s.last < e.k.last)
+            rejected(NULL, 0, "%s is about the valences %s, of which only a part is claimed",
+                     name, span_text(e.k));
+        append(l, e);
+    }
+}
+
+static int by_valence(const void *a, const void *b)
+{
+    const struct proof_file *x = a, *y = b;
+
+    return x->k.first != y->k.first ? (x->k.first > y->k.first) - (x->k.first < y->k.first)
+                                    : strcmp(x->name, y->name);
+}
+
+static noreturn void missing(const char *folder, int64_t first, int64_t last)
+{
+    rejected(NULL, 0, "no certificate in %s is about %s %s", folder,
+             first == last ? "valence" : "the valences",
+             span_text((struct span) { first, last }));
+}
+
+/* Are the entries from e on, which are in order, all of s?  Returns the first behind. */
+static const struct proof_file *cover_span(const struct proof_file *e,
+                                           const struct proof_file *end, struct span s,
+                                           const char *folder)
+{
+    int64_t next = s.first;
+    bool done = false;
+
+    for (; e < end && e->k.first <= s.last; e++) {
+        if (done || e->k.first < next)
+            rejected(NULL, 0, "both %s and %s are about valence %lld", e[-1].name, e->name,
+                     (long long)e->k.first);
+        if (e->k.first > next)
+            missing(folder, next, e->k.first - 1);
+        done = e->k.last == s.last;
+        next = done ? next : e->k.last + 1;
+    }
+    if (!done)
+        missing(folder, next, s.last);
+    return e;
+}
+
+static void list_folder(struct folder *out, DIR *directory, const char *name,
+                        const struct claim *claim)
+{
+    const struct proof_file *next;
+
+    for (struct dirent *file; (file = readdir(directory)) != NULL; )
+        if (is_certificate(file->d_name))
+            consider(out, name, file->d_name, claim);
+    if (out->count > 0)
+        qsort(out->file, (size_t)out->count, sizeof out->file[0], by_valence);
+    next = out->file;
+    for (int i = 0; i < claim->count; i++)
+        next = cover_span(next, out->file + out->count, claim->span[i], name);
+}
+
+void folder_partition(struct folder *out, const char *name, const struct claim *claim)
+{
+    DIR *directory = opendir(name);
+
+    *out = (struct folder) { 0, 0, NULL };
+    if (directory != NULL) {
+        list_folder(out, directory, name, claim);
+        closedir(directory);
+        return;
+    }
+    if (claim->count > 1)
+        cannot_check("--valence: one certificate is about one valence or one range");
+    append(out, (struct proof_file) { name, claim->span[0] });
 }

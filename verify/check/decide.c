@@ -15,6 +15,13 @@
 
 enum { MAX_DEPTH = 60, MAX_FUNCTIONS = 2 };
 
+/* The half-planes that a piece of the curve visits, by number: x > 0, y > 0, x < 0, y < 0; and the
+ * quarters of a turn that it makes, counted by them. */
+struct path {
+    bool begun;
+    int first, last, turns;
+};
+
 struct tree {
     const struct characteristic *c;
     const struct certificate *certificate;
@@ -23,9 +30,10 @@ struct tree {
     const char *next, *end;                        /* the word */
     int functions;
     const struct refinable *f[MAX_FUNCTIONS];
-    bool (*decide)(const struct tree *t, const struct pair *box);
-    bool (*decide_coefficients)(const struct tree *t, enum element_kind kind,
+    bool (*decide)(struct tree *t, const struct pair *box);
+    bool (*decide_coefficients)(struct tree *t, enum element_kind kind,
                                 struct pair *const *coefficient);
+    struct path path;                              /* of `winding`: the element's */
 };
 
 /* The patches of an element. */
@@ -151,13 +159,13 @@ static struct affine determinant(const struct pair *v, const struct pair *w, int
 }
 
 /* det(d1, d2) > 0 */
-static bool jacobian_is_positive(const struct tree *t, const struct pair *box)
+static bool jacobian_is_positive(struct tree *t, const struct pair *box)
 {
     return affine_is_positive(determinant(&box[0], &box[1], t->c->block->v->g));
 }
 
 /* nx x + ny y > 0 */
-static bool half_plane_contains(const struct tree *t, const struct pair *box)
+static bool half_plane_contains(struct tree *t, const struct pair *box)
 {
     const int64_t *n = t->certificate->normal;
     int g = t->c->block->v->g;
@@ -167,25 +175,55 @@ static bool half_plane_contains(const struct tree *t, const struct pair *box)
 }
 
 /* det(d1, d2) < 0 */
-static bool jacobian_is_negative(const struct tree *t, const struct pair *box)
+static bool jacobian_is_negative(struct tree *t, const struct pair *box)
 {
     struct pair turned[2] = { box[1], box[0] };
 
     return jacobian_is_positive(t, turned);
 }
 
-static bool is_not_zero(const struct tree *t, const struct pair *box)
+static bool is_not_zero(struct tree *t, const struct pair *box)
 {
     (void)t;
     return !interval_contains_zero(affine_range(box->x)) ||
            !interval_contains_zero(affine_range(box->y));
 }
 
+/* Appends what goes on where a path ends; what they share is in both half-planes. */
+static void join_paths(const struct tree *t, struct path *path, struct path next)
+{
+    int change = path->begun ? (next.first - path->last + 4) % 4 : 0;
+
+    if (change == 2)
+        rejected(t->certificate->file, t->line, "%s: the curve is not followed from one "
+                 "leaf to the next", t->name);
+    path->turns += (change == 3 ? -1 : change) + next.turns;
+    path->last = next.last;
+    if (!path->begun)
+        path->first = next.first;
+    path->begun = true;
+}
+
+/* Appends the first half-plane that contains the box, if there is one. */
+static bool follow(struct tree *t, const struct pair *box)
+{
+    const interval x = affine_range(box->x), y = affine_range(box->y);
+    const interval positive[4] = { x, y, interval_minus(x), interval_minus(y) };
+
+    for (int i = 0; i < 4; i++) {
+        if (interval_is_positive(positive[i])) {
+            join_paths(t, &t->path, (struct path) { true, i, i, 0 });
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Coefficients
  * ------------ */
 
 /* All coefficients of the Jacobian: the sum of d1_i and d2_j with i j = g. */
-static bool jacobian_coefficients_are_positive(const struct tree *t,
+static bool jacobian_coefficients_are_positive(struct tree *t,
                                                enum element_kind kind,
                                                struct pair *const *c)
 {
@@ -212,7 +250,7 @@ static bool jacobian_coefficients_are_positive(const struct tree *t,
     return true;
 }
 
-static bool half_plane_contains_coefficients(const struct tree *t, enum element_kind kind,
+static bool half_plane_contains_coefficients(struct tree *t, enum element_kind kind,
                                              struct pair *const *c)
 {
     const struct basis *p = &t->f[0]->basis[kind];
@@ -248,7 +286,7 @@ static struct pair *widened_patch(const struct pair *patch, const struct refinab
 /* Trees
  * ----- */
 
-static void check_leaf(const struct tree *t, const struct patches *patches,
+static void check_leaf(struct tree *t, const struct patches *patches,
                        enum element_kind kind, int depth, const struct element *e)
 {
     struct pair box[MAX_FUNCTIONS];
@@ -261,7 +299,7 @@ static void check_leaf(const struct tree *t, const struct patches *patches,
                  depth, element_form[e->kind].name, e->a, e->b);
 }
 
-static void check_coefficients(const struct tree *t, const struct patches *patches,
+static void check_coefficients(struct tree *t, const struct patches *patches,
                                enum element_kind kind, int depth, const struct element *e)
 {
     struct pair *coefficient[MAX_FUNCTIONS];
@@ -313,17 +351,26 @@ static void check_tree(struct tree *t, const struct patches *patches,
     }
 }
 
-static void check_elements(struct tree *t, const struct element *element, int elements)
+static void check_element(struct tree *t, const struct element *e)
 {
-    for (int i = 0; i < elements; i++) {
-        struct mark mark = scratch_mark();
-        struct patches patches = start_patches(t, &element[i]);
+    struct mark mark = scratch_mark();
+    struct patches patches = start_patches(t, e);
 
-        check_tree(t, &patches, element[i].kind, 0, &element[i]);
-        scratch_release(mark);
-    }
+    check_tree(t, &patches, e->kind, 0, e);
+    scratch_release(mark);
+}
+
+static void check_end(const struct tree *t)
+{
     if (t->next != t->end)
         rejected(t->certificate->file, t->line, "%s: the word is too long", t->name);
+}
+
+static void check_elements(struct tree *t, const struct element *element, int elements)
+{
+    for (int i = 0; i < elements; i++)
+        check_element(t, &element[i]);
+    check_end(t);
 }
 
 static struct tree regularity_tree(const struct characteristic *c,
@@ -386,6 +433,36 @@ void decide_outer_curve(const struct characteristic *c,
     check_elements(&t, c->segment, c->segments);
 }
 
+static struct path reversed(struct path p)
+{
+    return (struct path) { p.begun, p.last, p.first, -p.turns };
+}
+
+/* Is 2 pi/k not between (Q - 2) pi/2 and (Q + 2) pi/2? */
+static bool winds_otherwise(int q, int64_t k)
+{
+    return k * (q - 2) >= 4 || k * (q + 2) <= 4;
+}
+
+/* The curve runs through elements G against the order of their leaves. */
+void decide_winding(const struct characteristic *c, const struct certificate *certificate)
+{
+    struct tree t = boundary_tree(c, certificate);
+    struct path curve = { .begun = false };
+    int64_t k = c->block->v->k.first;
+
+    t.decide = follow;
+    for (int i = 0; i < c->segments; i++) {
+        t.path = (struct path) { .begun = false };
+        check_element(&t, &c->segment[i]);
+        join_paths(&t, &curve, c->segment[i].kind == ELEMENT_G ? reversed(t.path) : t.path);
+    }
+    check_end(&t);
+    if (!winds_otherwise(curve.turns, k))
+        rejected(certificate->file, t.line, "boundary: the curve may wind once (it makes %d "
+                 "quarters of a turn in a sector)", curve.turns);
+}
+
 /* The boxes on the descendant that the witness names. */
 static void find_witness(struct pair box[MAX_FUNCTIONS], const struct tree *t,
                          const struct element *element, int elements,
@@ -414,7 +491,7 @@ static void find_witness(struct pair box[MAX_FUNCTIONS], const struct tree *t,
 }
 
 /* What t decides holds there. */
-static void check_witness(const struct tree *t, const struct element *element,
+static void check_witness(struct tree *t, const struct element *element,
                           int elements, const struct witness *w)
 {
     struct mark mark = scratch_mark();

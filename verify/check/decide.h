@@ -17,6 +17,9 @@ void decide_boundary(const struct characteristic *c,
 void decide_outer_curve(const struct characteristic *c,
                         const struct certificate *certificate);
 
+/* The same, and it winds another number of times than once; else rejects. */
+void decide_winding(const struct characteristic *c, const struct certificate *certificate);
+
 /* The witnesses of `not-c0` and `fold`. */
 void decide_not_zero(const struct characteristic *c, const struct certificate *certificate);
 void decide_fold(const struct characteristic *c, const struct certificate *certificate);

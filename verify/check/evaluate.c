@@ -1,20 +1,9 @@
-/* Formulas evaluated.  Operands live in scratch memory, not on the stack: formulas
- * nest 64 deep, and definitions are evaluated one by one, before what names them. */
+/* Formulas evaluated.  They nest 64 deep, and definitions are evaluated one by one, before what
+ * names them. */
 
-#include "evaluate.h"
+#include "value.h"
 
 #include "answer.h"
-
-static void evaluate_into(struct value *out, const struct node *f,
-                          const struct environment *e);
-
-static struct value *operand(const struct node *f, const struct environment *e)
-{
-    struct value *out = allocate(1, sizeof *out);
-
-    evaluate_into(out, f, e);
-    return out;
-}
 
 /* exact: enclosures leave it unknown. */
 static enum truth decide(const struct node *condition, const struct environment *e,
@@ -23,10 +12,10 @@ static enum truth decide(const struct node *condition, const struct environment 
     enum truth out = condition->kind == NODE_AND ? YES : NO;
 
     for (const struct node *c = condition->first; c != NULL; c = c->next) {
-        struct value *a = operand(c->first, e), *b = operand(c->first->next, e);
+        struct value a = evaluate(c->first, e), b = evaluate(c->first->next, e);
         enum truth here = value_compare(a, c->first->next->join, b, e->g);
 
-        if (exact && (a->kind != b->kind || a->kind == ENCLOSURE))
+        if (exact && (a.kind != b.kind || a.kind == ENCLOSURE))
             here = UNKNOWN;
         if (here == (condition->kind == NODE_AND ? NO : YES))
             return here;
@@ -56,90 +45,79 @@ bool condition_holds(const struct node *condition, const struct environment *e)
 }
 
 /* Sums, products, functions of several arguments: from the left. */
-static void evaluate_chain(struct value *out, const struct node *f,
-                           const struct environment *e)
+static struct value evaluate_chain(const struct node *f, const struct environment *e)
 {
-    evaluate_into(out, f->first, e);
+    struct value out = evaluate(f->first, e);
+
     if (f->kind == NODE_SUM && f->first->join == '-')
-        value_negate(out);
+        out = value_negate(out);
     for (const struct node *n = f->first->next; n != NULL; n = n->next) {
         if (f->kind == NODE_SUM || f->kind == NODE_PRODUCT)
-            value_apply(out, n->join, operand(n, e), n, e->g);
+            out = value_apply(out, n->join, evaluate(n, e), n, e->g);
         else if (f->kind == NODE_POWER)
-            value_power(out, operand(n, e), n->join == '-', f, e->g);
+            out = value_power(out, evaluate(n, e), n->join == '-', f, e->g);
         else
-            value_function(out, operand(n, e), f, e->g);
+            out = value_function(out, evaluate(n, e), f, e->g);
     }
     if (f->first->next == NULL && f->kind != NODE_SUM)
-        value_function(out, NULL, f, e->g);
+        out = value_function(out, out, f, e->g);
+    return out;
 }
 
 /* Over a range of m or k the hull of all cases that may apply, up to one that certainly
  * does. */
-static void evaluate_cases(struct value *out, const struct node *f,
-                           const struct environment *e)
+static struct value evaluate_cases(const struct node *f, const struct environment *e)
 {
     bool range = (span_is_several(e->m) && (f->meaning & MEANS_M) != 0) ||
                  (span_is_several(e->k) && (f->meaning & MEANS_K) != 0), several = false;
+    struct value out = { .kind = UNDEFINED };
 
     for (const struct node *n = f->first; n != NULL; n = n->next->next) {
         enum truth truth = n->next == NULL ? YES : decide(n, e, false);
         const struct node *here = n->next == NULL ? n : n->next;   /* no `next`: else */
 
-        if (truth == UNKNOWN && !range) {
-            value_undefine(out, n, "this comparison cannot be decided", true);
-            return;
-        }
-        if (truth != NO && several)
-            value_hull(out, operand(here, e), here, e->g);
-        else if (truth != NO)
-            evaluate_into(out, here, e);
+        if (truth == UNKNOWN && !range)
+            return value_undefined(n, "this comparison cannot be decided", true);
+        if (truth != NO)
+            out = several ? value_hull(out, evaluate(here, e), here, e->g)
+                          : evaluate(here, e);
         if (truth == YES)
-            return;
+            return out;
         several = several || truth == UNKNOWN;
-        if (n->next == NULL)
-            break;
     }
-    value_undefine(out, f, "no case certainly applies", several);
+    return value_undefined(f, "no case certainly applies", several);
 }
 
-static void evaluate_into(struct value *out, const struct node *f,
-                          const struct environment *e)
+struct value evaluate(const struct node *f, const struct environment *e)
 {
     struct mark mark = scratch_mark();
+    struct value out;
 
     switch (f->kind) {
     case NODE_NUMBER:
     case NODE_PI:
-        value_constant(out, f);
+        out = value_constant(f);
         break;
     case NODE_K:
-        value_variable(out, e->k, span_is_several(e->k), f);
+        out = value_variable(e->k, span_is_several(e->k), f);
         break;
     case NODE_M:
-        value_variable(out, e->m, span_is_several(e->k), f);
+        out = value_variable(e->m, span_is_several(e->k), f);
         break;
     case NODE_J:
-        value_variable(out, e->j, false, f);
+        out = value_variable(e->j, false, f);
         break;
     case NODE_NAME:
-        *out = e->definition[f->name];
+        out = e->definition[f->name];
         break;
     case NODE_CASES:
-        evaluate_cases(out, f, e);
+        out = evaluate_cases(f, e);
         break;
     default:
-        evaluate_chain(out, f, e);
+        out = evaluate_chain(f, e);
         break;
     }
-    value_keep(mark, out);
-}
-
-struct value evaluate(const struct node *formula, const struct environment *e)
-{
-    struct value out;
-
-    evaluate_into(&out, formula, e);
+    value_keep(mark, &out);
     return out;
 }
 

@@ -6,15 +6,18 @@
 #include "answer.h"
 #include "exact_formula.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 struct exact_pair {
     struct number x, y;
 };
 
+/* A source of a rule contributes weight T^sectors of its value. */
 struct exact_term {
     const struct source *source;
-    struct number m[4];                            /* m0 m1; m2 m3 */
+    struct number weight;
+    int sectors;
 };
 
 struct exact_rule {
@@ -22,12 +25,11 @@ struct exact_rule {
     struct exact_term *term;
 };
 
-/* The net after so many steps. */
+/* The net after so many steps, the centre (0,0) among its values. */
 struct exact_net {
     int rings;
     bool *known;
-    struct exact_pair centre, *value;
-    bool centre_known;
+    struct exact_pair *value;
 };
 
 struct computation {
@@ -60,22 +62,15 @@ static void add_product(struct number *sum, const struct number *a, const struct
     *sum = number_add(sum, &product);
 }
 
-/* sum := sum + m v */
-static void add_image(struct exact_pair *sum, const struct number m[4],
-                      const struct exact_pair *v, const struct field *k)
-{
-    add_product(&sum->x, &m[0], &v->x, k);
-    add_product(&sum->x, &m[1], &v->y, k);
-    add_product(&sum->y, &m[2], &v->x, k);
-    add_product(&sum->y, &m[3], &v->y, k);
-}
-
 static struct exact_pair image(const struct number m[4], const struct exact_pair *v,
                                const struct field *k)
 {
     struct exact_pair out = zero_pair();
 
-    add_image(&out, m, v, k);
+    add_product(&out.x, &m[0], &v->x, k);
+    add_product(&out.x, &m[1], &v->y, k);
+    add_product(&out.y, &m[2], &v->x, k);
+    add_product(&out.y, &m[3], &v->y, k);
     return out;
 }
 
@@ -136,40 +131,20 @@ static struct number total_weight(struct computation *c, const struct source *s)
     return sum;
 }
 
-/* m = W T^s */
-static void power_matrix(struct number m[4], const struct number *w, int sectors,
-                         const struct computation *c)
-{
-    const struct number *t = sectors < 0 ? c->back : c->turn;
-    struct exact_pair left = { *w, number_from_whole(0) };
-    struct exact_pair right = { number_from_whole(0), *w };
-
-    for (int i = 0; i < (sectors < 0 ? -sectors : sectors); i++) {
-        left = image(t, &left, c->k);
-        right = image(t, &right, c->k);
-    }
-    m[0] = left.x;
-    m[1] = right.x;
-    m[2] = left.y;
-    m[3] = right.y;
-}
-
 /* False if the source contributes nothing. */
 static bool make_term(struct exact_term *out, const struct source *s, const struct number *w,
                       struct computation *c)
 {
     bool plain = c->block->plain;
-    struct number r = *w;
 
-    out->source = s;
+    *out = (struct exact_term) { s, *w, plain || s->kind != SOURCE_ONE ? 0 : s->sectors };
     if (!plain && (s->kind == SOURCE_CENTRE || s->kind == SOURCE_ALL))
         return false;
     if (!plain && (s->kind == SOURCE_EACH || s->imaginary != NULL))
         rejected(c->block->v->reference.file, c->line, "exact: a weight for each sector, or an "
                  "imaginary part, has no exact value");
     if (!plain && s->kind == SOURCE_SPECTRUM)
-        r = formula_at(c, s->weight, c->block->m, NOTHING);
-    power_matrix(out->m, &r, plain || s->kind != SOURCE_ONE ? 0 : s->sectors, c);
+        out->weight = formula_at(c, s->weight, c->block->m, NOTHING);
     return true;
 }
 
@@ -207,8 +182,6 @@ static void prepare_rules(struct computation *c)
 /* New values
  * ---------- */
 
-static struct exact_pair centre_at(struct computation *c, int step);
-
 static struct exact_pair value_by_rule(struct computation *c, int step,
                                        const struct exact_rule *rule)
 {
@@ -216,76 +189,52 @@ static struct exact_pair value_by_rule(struct computation *c, int step,
 
     for (int i = 0; i < rule->terms; i++) {
         const struct exact_term *t = &rule->term[i];
-        struct exact_pair v = t->source->kind == SOURCE_CENTRE
-                            ? centre_at(c, step) : value_at(c, step, t->source->a, t->source->b);
+        struct exact_pair v = value_at(c, step, t->source->a, t->source->b);
 
-        add_image(&sum, t->m, &v, c->k);
-    }
-    return sum;
-}
-
-static void add_scaled(struct exact_pair *sum, const struct mask *mask, int a, int b,
-                       const struct exact_pair *v)
-{
-    rational w = rational_reduce(*mask_cell(mask, a, b), mask->denominator);
-    struct number x = number_scale(w, &v->x), y = number_scale(w, &v->y);
-
-    sum->x = number_add(&sum->x, &x);
-    sum->y = number_add(&sum->y, &y);
-}
-
-static struct exact_pair value_by_mask(struct computation *c, int step, int a, int b)
-{
-    const struct active_step *active = &c->block->v->step[step];
-    const struct stencil *s = &active->stencil;
-    struct exact_pair sum = zero_pair();
-    int class = stencil_class(s, a, b);
-
-    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
-        int x = s->entry[i].a, y = s->entry[i].b;
-        struct exact_pair v = value_at(c, step, (a - x) / s->dilation, (b - y) / s->dilation);
-
-        add_scaled(&sum, &active->step->mask, x, y, &v);
+        for (int n = 0; n < abs(t->sectors); n++)
+            v = image(t->sectors < 0 ? c->back : c->turn, &v, c->k);
+        add_product(&sum.x, &t->weight, &v.x, c->k);
+        add_product(&sum.y, &t->weight, &v.y, c->k);
     }
     return sum;
 }
 
 /* As in sector.c: without a rule the mask must give the centre its old value. */
-static struct exact_pair centre_by_mask(struct computation *c, int step)
+static struct exact_pair value_by_mask(struct computation *c, int step, bool centre, int a,
+                                       int b)
 {
     const struct active_step *active = &c->block->v->step[step];
     const struct stencil *s = &active->stencil;
-    struct exact_pair sum = zero_pair(), old = centre_at(c, step);
+    const struct mask *mask = &active->step->mask;
+    struct exact_pair sum = zero_pair();
+    int class = stencil_class(s, a, b);
 
-    for (int i = s->first[0]; i < s->first[1]; i++) {
-        if (s->entry[i].a != 0 || s->entry[i].b != 0)
+    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
+        int x = s->entry[i].a, y = s->entry[i].b;
+        rational w = rational_reduce(*mask_cell(mask, x, y), mask->denominator);
+        struct exact_pair v = value_at(c, step, (a - x) / s->dilation, (b - y) / s->dilation);
+
+        if (centre && (x != 0 || y != 0))
             cannot_check("the centre has no rule, and the mask does not give it its "
                          "old value");
-        add_scaled(&sum, &active->step->mask, 0, 0, &old);
+        v = (struct exact_pair) { number_scale(w, &v.x), number_scale(w, &v.y) };
+        sum.x = number_add(&sum.x, &v.x);
+        sum.y = number_add(&sum.y, &v.y);
     }
     return sum;
 }
 
-/* At a label of the sector, or (centre) there, after step + 1 steps. */
+/* At the centre or a label of the sector, after step + 1 steps; at m >= 1 the centre is 0. */
 static struct exact_pair new_value(struct computation *c, int step, bool centre, int a, int b)
 {
     const struct active_step *active = &c->block->v->step[step];
     const struct active_rule *rule = valence_rule(active, centre, a, b);
 
+    if (centre && !c->block->plain)
+        return zero_pair();
     if (rule != NULL)
         return value_by_rule(c, step, &c->rule[step][rule - active->rule]);
-    return centre ? centre_by_mask(c, step) : value_by_mask(c, step, a, b);
-}
-
-static struct exact_pair centre_at(struct computation *c, int step)
-{
-    struct exact_net *net = &c->net[step];
-
-    if (!net->centre_known) {
-        net->centre = c->block->plain ? new_value(c, step - 1, true, 0, 0) : zero_pair();
-        net->centre_known = true;
-    }
-    return net->centre;
+    return value_by_mask(c, step, centre, a, b);
 }
 
 static enum mesh mesh_after(const struct computation *c, int step)
@@ -295,77 +244,72 @@ static enum mesh mesh_after(const struct computation *c, int step)
     return step == 0 ? v->scheme->mesh : v->step[step - 1].step->new;
 }
 
+/* The number of a label in the lists of a net. */
+static int cell(const struct exact_net *net, int a, int b)
+{
+    int i = a + net->rings + 1, j = b + net->rings + 1, side = 2 * net->rings + 3;
+
+    if (i < 0 || i >= side || j < 0 || j >= side)
+        cannot_check("the checker looks for a point outside of its net");
+    return i * side + j;
+}
+
+static void set_value(struct exact_net *net, int a, int b, struct exact_pair value)
+{
+    net->value[cell(net, a, b)] = value;
+    net->known[cell(net, a, b)] = true;
+}
+
 /* Of any label of the plane that is not opposite. */
 static struct exact_pair value_at(struct computation *c, int step, int a, int b)
 {
     const struct block *block = c->block;
     struct exact_net *net = &c->net[step];
     enum mesh mesh = mesh_after(c, step);
-    int i = a + net->rings + 1, j = b + net->rings + 1, side = 2 * net->rings + 3;
-    struct exact_pair *home, out;
+    int own_a = a, own_b = b;
+    struct exact_pair out;
     enum place place;
 
-    if (i < 0 || i >= side || j < 0 || j >= side)
-        cannot_check("the checker looks for a point outside of its net");
-    home = &net->value[i * side + j];
-    if (net->known[i * side + j])
-        return *home;
-    place = label_turn(mesh, &a, &b);
-    if (place == CENTRE)
-        return centre_at(c, step);
+    if (net->known[cell(net, a, b)])
+        return net->value[cell(net, a, b)];
+    place = label_turn(mesh, &own_a, &own_b);
     if (place == IN_SECTOR && label_ring(mesh, a, b) > net->rings)
         cannot_check("the checker looks for a point outside of its net");
     if (place == OPPOSITE && valence_is_regular(block->v)) {
-        label_from_next(mesh, &a, &b);
+        label_from_next(mesh, &own_a, &own_b);
         place = BEHIND;
     }
     if (place == OPPOSITE)
         cannot_check("a rule uses a point opposite to its sector");
-    if (place == IN_SECTOR)
-        out = step == 0 ? zero_pair() : new_value(c, step - 1, false, a, b);
+    if (place == IN_SECTOR || place == CENTRE)
+        out = step == 0 ? zero_pair() : new_value(c, step - 1, place == CENTRE, a, b);
     else
-        out = value_at(c, step, a, b);
-    if (place != IN_SECTOR && !block->plain)
+        out = value_at(c, step, own_a, own_b);
+    if ((place == BEHIND || place == BEFORE) && !block->plain)
         out = image(place == BEHIND ? c->turn : c->back, &out, c->k);
-    *home = out;
-    net->known[i * side + j] = true;
+    set_value(net, a, b, out);
     return out;
 }
 
 /* Columns
  * ------- */
 
-static void set_value(struct computation *c, int a, int b, struct exact_pair value)
-{
-    int rings = c->net[0].rings, side = 2 * rings + 3;
-    int here = (a + rings + 1) * side + b + rings + 1;
-
-    c->net[0].value[here] = value;
-    c->net[0].known[here] = true;
-}
-
-/* The net of unknown j. */
+/* The net of unknown j; the centre is (0,0). */
 static void set_unit(struct computation *c, int j)
 {
     const struct unknown *at = &c->block->unknown[j];
     struct number one = number_from_whole(1), zero = number_from_whole(0);
     struct exact_pair value = { one, zero };
 
-    c->net[0].centre = zero_pair();
-    c->net[0].centre_known = true;
-    if (at->kind == UNKNOWN_CENTRE) {
-        c->net[0].centre = value;
-        return;
-    }
     if (at->kind == UNKNOWN_BISECTOR)
         value = (struct exact_pair) { c->u, one };
     if (at->kind == UNKNOWN_Y)
         value = (struct exact_pair) { zero, one };
-    set_value(c, at->a, at->b, value);
+    set_value(&c->net[0], at->a, at->b, value);
     if (at->kind != UNKNOWN_X && at->kind != UNKNOWN_Y)
         return;
     value.y = number_minus(&value.y);              /* V(b,a) = T (x, -y) */
-    set_value(c, at->b, at->a, image(c->turn, &value, c->k));
+    set_value(&c->net[0], at->b, at->a, image(c->turn, &value, c->k));
 }
 
 static void begin_nets(struct computation *c)
@@ -389,9 +333,7 @@ static void begin_nets(struct computation *c)
 static struct number read_off(struct computation *c, int i)
 {
     const struct unknown *at = &c->block->unknown[i];
-    int steps = c->block->v->scheme->steps;
-    struct exact_pair v = at->kind == UNKNOWN_CENTRE ? centre_at(c, steps)
-                                                     : value_at(c, steps, at->a, at->b);
+    struct exact_pair v = value_at(c, c->block->v->scheme->steps, at->a, at->b);
 
     return at->kind == UNKNOWN_BISECTOR || at->kind == UNKNOWN_Y ? v.y : v.x;
 }

@@ -5,76 +5,42 @@
 
 enum { MAX_EXPONENT = 16384 };                     /* as in value.c */
 
-/* a := a / b for a rational b that is not 0. */
-static bool divide(struct number *a, const struct number *b)
-{
-    rational q;
-
-    if (!number_get_rational(&q, b) || q.num.sign == 0)
-        return false;
-    *a = number_scale(rational_divide(rational_from(1, 1), q), a);
-    return true;
-}
-
 /* Sums and products, from the left. */
-static bool chain_value(struct number *out, const struct node *f,
-                        const struct environment *e, const struct field *k)
+static bool chain_value(void *out, const struct node *f, const struct environment *e,
+                        const struct ring *r)
 {
-    struct number b;
+    void *term = allocate(1, r->size);
 
-    if (!exact_value(out, f->first, e, k))
-        return false;
-    if (f->kind == NODE_SUM && f->first->join == '-')
-        *out = number_minus(out);
-    for (const struct node *n = f->first->next; n != NULL; n = n->next) {
-        if (!exact_value(&b, n, e, k))
+    r->set(out, rational_from(f->kind == NODE_SUM ? 0 : 1, 1));
+    for (const struct node *n = f->first; n != NULL; n = n->next)
+        if (!ring_value(term, n, e, r) || !r->apply(out, n->join, term, r->field))
             return false;
-        if (n->join == '+')
-            *out = number_add(out, &b);
-        else if (n->join == '-')
-            *out = number_sub(out, &b);
-        else if (n->join == '*')
-            *out = number_mul(out, &b, k);
-        else if (!divide(out, &b))
-            return false;
-    }
     return true;
 }
 
-static bool power_value(struct number *out, const struct node *f,
-                        const struct environment *e, const struct field *k)
+static bool power_value(void *out, const struct node *f, const struct environment *e,
+                        const struct ring *r)
 {
     const struct node *exponent = f->first->next;
     struct value value = evaluate(exponent, e);
-    struct number base;
+    void *base = allocate(1, r->size);
     int64_t n;
 
     if (value.kind != RATIONAL || value.range || !rational_is_whole(value.q) ||
-        !integer_get_small(&n, value.q.num, MAX_EXPONENT))
+        !integer_get_small(&n, value.q.num, r->most))
         return false;
     n = exponent->join == '-' ? -n : n;
-    if (n < 0 || !exact_value(&base, f->first, e, k))
+    if (n < 0 || !ring_value(base, f->first, e, r))
         return false;
-    *out = number_from_whole(1);
+    r->set(out, rational_from(1, 1));
     for (; n > 0; n--)
-        *out = number_mul(out, &base, k);
+        if (!r->apply(out, '*', base, r->field))
+            return false;
     return true;
 }
 
-static bool cosine_value(struct number *out, const struct node *f,
-                         const struct environment *e, const struct field *k)
-{
-    struct value angle = evaluate(f->first, e);
-
-    if (angle.kind != ANGLE || angle.range)
-        return false;
-    if (f->kind == NODE_SIN)
-        angle.q = rational_sub(rational_from(1, 2), angle.q);
-    return number_cos_pi(out, angle.q, k);
-}
-
-static bool cases_value(struct number *out, const struct node *f,
-                        const struct environment *e, const struct field *k)
+static bool cases_value(void *out, const struct node *f, const struct environment *e,
+                        const struct ring *r)
 {
     for (const struct node *n = f->first; n != NULL; n = n->next->next) {
         enum truth truth = n->next == NULL ? YES : condition_truth(n, e);
@@ -82,36 +48,86 @@ static bool cases_value(struct number *out, const struct node *f,
         if (truth == UNKNOWN)
             return false;
         if (truth == YES)
-            return exact_value(out, n->next == NULL ? n : n->next, e, k);
+            return ring_value(out, n->next == NULL ? n : n->next, e, r);
     }
     return false;
+}
+
+bool ring_value(void *out, const struct node *f, const struct environment *e,
+                const struct ring *r)
+{
+    const struct node *formula;
+
+    if (r->simple(out, f, e, r->field))
+        return true;
+    switch (f->kind) {
+    case NODE_NAME:
+        formula = e->language->definition[f->name].formula;
+        return formula != NULL && ring_value(out, formula, e, r);
+    case NODE_SUM:
+    case NODE_PRODUCT:
+        return chain_value(out, f, e, r);
+    case NODE_POWER:
+        return power_value(out, f, e, r);
+    case NODE_CASES:
+        return cases_value(out, f, e, r);
+    default:
+        return false;
+    }
+}
+
+/* Numbers of a field
+ * ------------------ */
+
+static void set_number(void *out, rational q)
+{
+    *(struct number *)out = number_from(q);
+}
+
+/* What is rational by lib/scheme.md; cosines and sines of angles. */
+static bool simple_number(void *out, const struct node *f, const struct environment *e,
+                          const void *field)
+{
+    bool sine = f->kind == NODE_SIN;
+    struct value value = evaluate(f, e), angle;
+
+    if (value.kind == RATIONAL && !value.range) {
+        set_number(out, value.q);
+        return true;
+    }
+    if (f->kind != NODE_COS && !sine)
+        return false;
+    angle = evaluate(f->first, e);
+    return angle.kind == ANGLE && !angle.range &&
+           number_cos_pi(out, sine ? rational_sub(rational_from(1, 2), angle.q) : angle.q,
+                         field);
+}
+
+/* Quotients by rational numbers only. */
+static bool apply_to_numbers(void *a, char operation, void *b, const void *field)
+{
+    struct number *x = a;
+    rational q;
+
+    if (operation == '+') {
+        *x = number_add(x, b);
+    } else if (operation == '-') {
+        *x = number_sub(x, b);
+    } else if (operation == '*') {
+        *x = number_mul(x, b, field);
+    } else {
+        if (!number_get_rational(&q, b) || q.num.sign == 0)
+            return false;
+        *x = number_scale(rational_divide(rational_from(1, 1), q), x);
+    }
+    return true;
 }
 
 bool exact_value(struct number *out, const struct node *f, const struct environment *e,
                  const struct field *k)
 {
-    struct value value = evaluate(f, e);
-    const struct node *formula;
+    const struct ring ring = { sizeof *out, MAX_EXPONENT, k, simple_number, set_number,
+                               apply_to_numbers };
 
-    if (value.kind == RATIONAL && !value.range) {
-        *out = number_from(value.q);
-        return true;
-    }
-    switch (f->kind) {
-    case NODE_NAME:
-        formula = e->language->definition[f->name].formula;
-        return formula != NULL && exact_value(out, formula, e, k);
-    case NODE_SUM:
-    case NODE_PRODUCT:
-        return chain_value(out, f, e, k);
-    case NODE_POWER:
-        return power_value(out, f, e, k);
-    case NODE_COS:
-    case NODE_SIN:
-        return cosine_value(out, f, e, k);
-    case NODE_CASES:
-        return cases_value(out, f, e, k);
-    default:
-        return false;
-    }
+    return ring_value(out, f, e, &ring);
 }

@@ -3,7 +3,7 @@
 #include "field.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 #include <string.h>
 

@@ -14,18 +14,6 @@ struct parser {
     int nesting;
 };
 
-void beyond_version_0(struct language *l, const struct cursor *c, const char *message)
-{
-    struct cursor here = *c;
-
-    if (l->beyond_0.message != NULL)
-        return;
-    cursor_skip_blanks(&here);
-    l->beyond_0.line = here.line;
-    l->beyond_0.column = (int)(here.at - here.begin) + 1;
-    l->beyond_0.message = message;
-}
-
 bool word_is_reserved(const char *word)
 {
     static const char *const reserved[] = {
@@ -104,16 +92,14 @@ static struct node *read_number(struct parser *p)
 
 static void open_parenthesis(struct parser *p)
 {
-    if (!cursor_accept(p->c, '('))
-        cursor_error(p->c, "expected `(`");
+    cursor_expect(p->c, '(', "expected `(`");
     if (++p->nesting > MAX_NESTING)
         cursor_error(p->c, "expected at most 64 nested parentheses");
 }
 
 static void close_parenthesis(struct parser *p)
 {
-    if (!cursor_accept(p->c, ')'))
-        cursor_error(p->c, "expected an operator or `)`");
+    cursor_expect(p->c, ')', "expected an operator or `)`");
     p->nesting--;
 }
 
@@ -135,27 +121,30 @@ static struct node *read_arguments(enum node_kind kind, int least, int most,
     return out;
 }
 
+/* (`<=` before `<`.) */
+static char read_comparison_sign(struct cursor *c)
+{
+    static const struct {
+        const char *text;
+        char join;
+    } sign[] = {
+        { "=", '=' }, { "!=", '!' }, { "<=", 'l' }, { ">=", 'g' }, { "<", '<' }, { ">", '>' }
+    };
+
+    cursor_skip_blanks(c);
+    for (size_t i = 0; i < sizeof sign / sizeof sign[0]; i++)
+        if (cursor_accept_text(c, sign[i].text))
+            return sign[i].join;
+    cursor_error(c, "expected a comparison");
+}
+
 static struct node *read_comparison(struct parser *p)
 {
     struct node *out = new_node(NODE_COMPARISON, p), *last = NULL;
     char join;
 
     append(out, &last, read_formula(p), ' ', p);
-    cursor_skip_blanks(p->c);
-    if (cursor_accept(p->c, '='))
-        join = '=';
-    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, "!=", 2) == 0)
-        join = '!', p->c->at += 2;
-    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, "<=", 2) == 0)
-        join = 'l', p->c->at += 2;
-    else if (p->c->end - p->c->at >= 2 && memcmp(p->c->at, ">=", 2) == 0)
-        join = 'g', p->c->at += 2;
-    else if (cursor_accept(p->c, '<'))
-        join = '<';
-    else if (cursor_accept(p->c, '>'))
-        join = '>';
-    else
-        cursor_error(p->c, "expected a comparison");
+    join = read_comparison_sign(p->c);
     append(out, &last, read_formula(p), join, p);
     return out;
 }
@@ -190,25 +179,11 @@ static struct node *read_cases(struct parser *p)
 
         if (!last_case)
             append(out, &last, read_condition(p), ' ', p);
-        if (!cursor_accept(p->c, ':'))
-            cursor_error(p->c, "expected `:`");
+        cursor_expect(p->c, ':', "expected `:`");
         append(out, &last, read_formula(p), ' ', p);
         more = !last_case && cursor_accept(p->c, ';');
     }
     close_parenthesis(p);
-    return out;
-}
-
-/* k, m or j: is it allowed here? */
-static struct node *read_variable(enum node_kind kind, int meaning,
-                                  const struct cursor *place, struct parser *p)
-{
-    struct node *out = new_node(kind, p);
-
-    if ((p->allowed & meaning) == 0)
-        cursor_error(place, "expected a number, pi, a function or `(`: k, m or j has "
-                            "no meaning here");
-    out->meaning = meaning;
     return out;
 }
 
@@ -234,18 +209,42 @@ static struct node *read_defined_name(const char *word, const struct cursor *pla
                         "defined above");
 }
 
+static const struct word {
+    const char *name;
+    enum node_kind kind;
+    int meaning, least, most;                      /* of a variable; arguments */
+    bool beyond_0;
+} known[] = {
+    { "pi", NODE_PI, 0, 0, 0, false }, { "k", NODE_K, MEANS_K, 0, 0, false },
+    { "m", NODE_M, MEANS_M, 0, 0, false }, { "j", NODE_J, MEANS_J, 0, 0, false },
+    { "cos", NODE_COS, 0, 1, 1, false }, { "sin", NODE_SIN, 0, 1, 1, false },
+    { "sqrt", NODE_SQRT, 0, 1, 1, true }, { "abs", NODE_ABS, 0, 1, 1, true },
+    { "min", NODE_MIN, 0, 2, 1000, true }, { "max", NODE_MAX, 0, 2, 1000, true },
+    { "mod", NODE_MOD, 0, 2, 2, true }, { "cases", NODE_CASES, 0, 1, 1, true }
+};
+
+/* What begins with a word, which is behind `place` now. */
+static struct node *read_known_word(const struct word *word, const struct cursor *place,
+                                    struct parser *p)
+{
+    struct node *out;
+
+    if (word->beyond_0)
+        p->l->beyond_0 = true;
+    if (word->kind == NODE_CASES)
+        return read_cases(p);
+    if (word->most > 0)
+        return read_arguments(word->kind, word->least, word->most, p);
+    out = new_node(word->kind, p);
+    out->meaning = word->meaning;
+    if ((out->meaning & ~p->allowed) != 0)
+        cursor_error(place, "expected a number, pi, a function or `(`: k, m or j has "
+                            "no meaning here");
+    return out;
+}
+
 static struct node *read_primary(struct parser *p)
 {
-    static const struct {
-        const char *name;
-        enum node_kind kind;
-        int least, most;
-    } function[] = {
-        { "cos", NODE_COS, 1, 1 }, { "sin", NODE_SIN, 1, 1 },
-        { "sqrt", NODE_SQRT, 1, 1 }, { "abs", NODE_ABS, 1, 1 },
-        { "min", NODE_MIN, 2, 1000 }, { "max", NODE_MAX, 2, 1000 },
-        { "mod", NODE_MOD, 2, 2 }
-    };
     struct cursor *c = p->c, place;
     struct node *out;
     char word[MAX_WORD + 1];
@@ -262,76 +261,49 @@ static struct node *read_primary(struct parser *p)
     }
     if (!cursor_read_word(word, MAX_WORD, c))
         cursor_error(c, "expected a number, a word or `(`");
-    if (strcmp(word, "pi") == 0)
-        return new_node(NODE_PI, p);
-    if (strcmp(word, "k") == 0)
-        return read_variable(NODE_K, MEANS_K, &place, p);
-    if (strcmp(word, "m") == 0)
-        return read_variable(NODE_M, MEANS_M, &place, p);
-    if (strcmp(word, "j") == 0)
-        return read_variable(NODE_J, MEANS_J, &place, p);
-    if (strcmp(word, "cases") == 0) {
-        beyond_version_0(p->l, &place, "expected a function of version 0");
-        return read_cases(p);
-    }
-    for (size_t i = 0; i < sizeof function / sizeof function[0]; i++) {
-        if (strcmp(word, function[i].name) != 0)
-            continue;
-        if (i >= 2)
-            beyond_version_0(p->l, &place, "expected a function of version 0");
-        return read_arguments(function[i].kind, function[i].least, function[i].most, p);
-    }
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strcmp(word, known[i].name) == 0)
+            return read_known_word(&known[i], &place, p);
     return read_defined_name(word, &place, p);
 }
 
-/* Version 0 has exponents of digits only, of at most 64. */
-static void check_exponent_0(struct parser *p)
-{
-    struct cursor c = *p->c;
-    int n = 0;
-
-    cursor_skip_blanks(&c);
-    if (!cursor_at_digit(&c)) {
-        beyond_version_0(p->l, &c, "expected the digits of an exponent");
-        return;
-    }
-    for (; cursor_at_digit(&c) && n <= MAX_EXPONENT_0; c.at++)
-        n = 10 * n + (*c.at - '0');
-    if (n > MAX_EXPONENT_0)
-        beyond_version_0(p->l, &c, "expected an exponent of at most 64");
-    else if (c.at < c.end && *c.at == '.')
-        beyond_version_0(p->l, &c, "expected an operator or the end of the line");
-}
-
+/* base [ "^" ["-"] exponent ]; version 0 has only whole numbers up to 64 there. */
 static struct node *read_power(struct parser *p)
 {
-    struct node *base = read_primary(p), *out, *last = NULL;
-    char join = '+';
+    struct node *base = read_primary(p), *exponent, *out, *last = NULL;
+    bool minus;
+    int64_t n;
 
     if (!cursor_accept(p->c, '^'))
         return base;
     out = new_node(NODE_POWER, p);
-    if (cursor_accept(p->c, '-'))
-        join = '-';
-    check_exponent_0(p);
+    minus = cursor_accept(p->c, '-');
     append(out, &last, base, ' ', p);
-    append(out, &last, read_primary(p), join, p);
+    exponent = read_primary(p);
+    append(out, &last, exponent, minus ? '-' : '+', p);
+    if (exponent->kind != NODE_NUMBER || !rational_is_whole(exponent->number) ||
+        !integer_get_small(&n, exponent->number.num, MAX_EXPONENT_0))
+        p->l->beyond_0 = true;
     return out;
+}
+
+/* One of the two characters, if it is there, else 0. */
+static char accept_either(struct cursor *c, char one, char other)
+{
+    return cursor_accept(c, one) ? one : cursor_accept(c, other) ? other : '\0';
 }
 
 static struct node *read_term(struct parser *p)
 {
     struct node *first = read_power(p), *out, *last = NULL;
-    char join = cursor_accept(p->c, '*') ? '*' : cursor_accept(p->c, '/') ? '/' : '\0';
+    char join = accept_either(p->c, '*', '/');
 
     if (join == '\0')
         return first;
     out = new_node(NODE_PRODUCT, p);
     append(out, &last, first, '*', p);
-    while (join != '\0') {
+    for (; join != '\0'; join = accept_either(p->c, '*', '/'))
         append(out, &last, read_power(p), join, p);
-        join = cursor_accept(p->c, '*') ? '*' : cursor_accept(p->c, '/') ? '/' : '\0';
-    }
     return out;
 }
 
@@ -342,15 +314,13 @@ static struct node *read_formula(struct parser *p)
     char join;
 
     first = read_term(p);
-    join = cursor_accept(p->c, '+') ? '+' : cursor_accept(p->c, '-') ? '-' : '\0';
+    join = accept_either(p->c, '+', '-');
     if (!minus && join == '\0')
         return first;
     out = new_node(NODE_SUM, p);
     append(out, &last, first, minus ? '-' : '+', p);
-    while (join != '\0') {
+    for (; join != '\0'; join = accept_either(p->c, '+', '-'))
         append(out, &last, read_term(p), join, p);
-        join = cursor_accept(p->c, '+') ? '+' : cursor_accept(p->c, '-') ? '-' : '\0';
-    }
     return out;
 }
 

@@ -44,16 +44,12 @@ struct definition {
     rational low, high;
 };
 
-/* What formulas may name, and the first place of the text, if any, that goes
- * beyond verify/scheme-0.md. */
+/* What formulas may name, and whether one of them goes beyond verify/scheme-0.md. */
 struct language {
     const char *file;
     int count;
     struct definition definition[MAX_DEFINITIONS];
-    struct {
-        int line, column;
-        const char *message;                       /* NULL: none */
-    } beyond_0;
+    bool beyond_0;
 };
 
 /* Reads a formula that may depend on what `allowed` says (MEANS_...). */
@@ -64,8 +60,5 @@ const struct node *condition_read(struct cursor *c, struct language *l, int allo
 
 /* Is it a word of the language? */
 bool word_is_reserved(const char *word);
-
-/* Remembers that the text goes beyond version 0 at c. */
-void beyond_version_0(struct language *l, const struct cursor *c, const char *message);
 
 #endif

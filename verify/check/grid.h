@@ -50,4 +50,17 @@ bool interval_contains_zero(interval x);
 bool interval_is_zero(interval x);                 /* [0, 0] */
 bool interval_is_positive(interval x);             /* lo > 0 */
 
+/* pi, cos(pi q), sin(pi q)
+ * ------------------------
+ *
+ * For rational q, the least grid interval that contains the number. */
+
+/* cos(pi q), if it is a rational number; else false.  (By Niven's theorem the rational ones
+ * are 0, 1/2, -1/2, 1, -1.) */
+bool rational_cos_pi(rational *out, rational q);
+
+interval grid_pi(int g);
+interval grid_cos_pi(rational q, int g);
+interval grid_sin_pi(rational q, int g);
+
 #endif

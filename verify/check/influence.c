@@ -12,7 +12,7 @@
  * irregular.
  */
 
-#include "influence.h"
+#include "scheme.h"
 
 #include "sector.h"
 
@@ -67,20 +67,18 @@ static bool has_rule(const struct step *step, int a, int b)
 }
 
 /* Is the new label regular, if it is no more than the mask's reach within the plane? */
-static bool is_regular(const struct step *step, const struct plane *old, int a, int b)
+static bool is_regular(const struct step *step, const struct points *mask,
+                       const struct plane *old, int a, int b)
 {
-    const struct mask *mask = &step->mask;
     int own_a = a, own_b = b, turns;
 
     if (turn_home(step->new, &own_a, &own_b, &turns) != IN_SECTOR ||
         has_rule(step, own_a, own_b))
         return false;
-    for (int i = 0; i < mask->side_a * mask->side_b; i++) {
-        int x = a - (i / mask->side_b + mask->low_a);
-        int y = b - (i % mask->side_b + mask->low_b);
+    for (int i = 0; i < mask->count; i++) {
+        int x = a - mask->point[i].a, y = b - mask->point[i].b;
 
-        if (mask->coefficient[i].sign == 0 || x % step->dilation != 0 ||
-            y % step->dilation != 0)
+        if (x % step->dilation != 0 || y % step->dilation != 0)
             continue;
         x /= step->dilation;
         y /= step->dilation;
@@ -128,13 +126,14 @@ int scheme_influence(const struct scheme *scheme)
     plane = new_plane(scheme->mesh, most);
     for (int i = 0; i < scheme->steps; i++) {
         const struct step *step = &scheme->step[i];
+        struct points mask = mask_points(&step->mask);
         struct plane new;
 
         most -= step->reach + 2;
         new = new_plane(step->new, most);
         for (int a = -most; a <= most; a++)
             for (int b = -most; b <= most; b++)
-                *at(&new, a, b) = !is_regular(step, &plane, a, b);
+                *at(&new, a, b) = !is_regular(step, &mask, &plane, a, b);
         plane = new;
     }
     for (int a = 1; a <= far; a++)

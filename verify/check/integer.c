@@ -316,36 +316,24 @@ integer integer_shift_left(integer a, long bits)
 /* Division
  * -------- */
 
-/* quotient = floor(|a| / d), d > 0. */
-static void divide_by_limb(uint32_t *quotient, const integer *a, uint32_t d)
-{
-    uint64_t rest = 0;
-
-    for (int i = a->length - 1; i >= 0; i--) {
-        rest = rest << 32 | limbs(a)[i];
-        quotient[i] = (uint32_t)(rest / d);
-        rest %= d;
-    }
-}
-
-/* quotient[0 .. a.length - b.length] = floor(|a| / |b|), for a.length >=
- * b.length >= 2: Knuth, The Art of Computer Programming 2, 4.3.1, Algorithm D.
- * divide() checks the result. */
+/* quotient[0 .. a.length - b.length] = floor(|a| / |b|), for a.length >= b.length: Knuth, The
+ * Art of Computer Programming 2, 4.3.1, Algorithm D, with a limb of 0 below both, so that b
+ * has two.  divide() checks the result. */
 static void divide_long(uint32_t *quotient, const integer *a, const integer *b)
 {
-    uint32_t rest[INTEGER_LIMBS + 1], divisor[INTEGER_LIMBS + 1];
-    int n = b->length;
-    int bits = 0;
+    uint32_t rest[INTEGER_LIMBS + 2], divisor[INTEGER_LIMBS + 2];
+    int n = b->length + 1, bits = 0;
 
-    while ((limbs(b)[n - 1] << bits & 0x80000000u) == 0)
+    rest[0] = divisor[0] = 0;
+    while ((limbs(b)[b->length - 1] << bits & 0x80000000u) == 0)
         bits++;
-    shift_limbs(rest, limbs(a), a->length, bits);
-    shift_limbs(divisor, limbs(b), n, bits);
+    shift_limbs(rest + 1, limbs(a), a->length, bits);
+    shift_limbs(divisor + 1, limbs(b), b->length, bits);
 
-    for (int j = a->length - n; j >= 0; j--) {
+    for (int j = a->length - b->length; j >= 0; j--) {
         uint64_t top = (uint64_t)rest[j + n] << 32 | rest[j + n - 1];
-        uint64_t guess = top / divisor[n - 1];
-        uint64_t left = top % divisor[n - 1];
+        uint64_t guess = top / divisor[n - 1], left = top % divisor[n - 1];
+        uint64_t carry = 0, borrow = 0;
 
         /* The guess is at most 2 too large; mostly this makes it right. */
         while (guess >> 32 != 0 ||
@@ -355,9 +343,6 @@ static void divide_long(uint32_t *quotient, const integer *a, const integer *b)
             if (left >> 32 != 0)
                 break;
         }
-
-        uint64_t carry = 0, borrow = 0;
-
         for (int i = 0; i <= n; i++) {             /* rest -= guess * divisor */
             carry += guess * (i < n ? divisor[i] : 0);
 
@@ -386,15 +371,10 @@ static void divide_long(uint32_t *quotient, const integer *a, const integer *b)
 static integer divide(integer *rest, integer a, integer b)
 {
     uint32_t limb[INTEGER_LIMBS + 1];
-    integer q;
+    integer q = integer_from(0);
 
     integer_count_work(a.length, b.length);
-    if (compare_magnitudes(&a, &b) < 0) {
-        q = integer_from(0);
-    } else if (b.length == 1) {
-        divide_by_limb(limb, &a, b.limb.here[0]);
-        q = make(a.sign, limb, a.length);
-    } else {
+    if (compare_magnitudes(&a, &b) >= 0) {
         divide_long(limb, &a, &b);
         q = make(a.sign, limb, a.length - b.length + 1);
     }

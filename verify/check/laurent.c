@@ -1,10 +1,12 @@
-/* Laurent values: certificate-valences.md, section 4, "Limit". */
+/* Laurent values: certificate-valences.md, section 4, "Limit", and section 6, "Growing". */
 
 #include "laurent.h"
 
+#include "exact_formula.h"
+
 enum { SIZE = 2 * LAURENT_DEGREE + 1 };
 
-struct laurent laurent_constant(rational q)
+static struct laurent constant(rational q)
 {
     struct laurent out;
 
@@ -16,10 +18,11 @@ struct laurent laurent_constant(rational q)
 
 rational laurent_at(const struct laurent *a, int i)
 {
-    return a->c[i + LAURENT_DEGREE];
+    return i < -LAURENT_DEGREE || i > LAURENT_DEGREE ? rational_from(0, 1)
+                                                     : a->c[i + LAURENT_DEGREE];
 }
 
-static void add(struct laurent *a, const struct laurent *b)
+void laurent_add(struct laurent *a, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
@@ -32,10 +35,10 @@ static void negate(struct laurent *a)
         a->c[i] = rational_negate(a->c[i]);
 }
 
-void laurent_subtract(struct laurent *a, const struct laurent *b)
+static void subtract(struct laurent *a, const struct laurent *b)
 {
     negate(a);
-    add(a, b);
+    laurent_add(a, b);
     negate(a);
 }
 
@@ -44,7 +47,7 @@ static bool multiply(struct laurent *a, const struct laurent *b)
 {
     struct laurent *out = allocate(1, sizeof *out);
 
-    *out = laurent_constant(rational_from(0, 1));
+    *out = constant(rational_from(0, 1));
     for (int i = 0; i < SIZE; i++) {
         for (int j = 0; j < SIZE && a->c[i].num.sign != 0; j++) {
             int n = i + j - LAURENT_DEGREE;
@@ -75,97 +78,96 @@ static bool invert(struct laurent *a)
     if (terms != 1)
         return false;
     q = rational_divide(rational_from(1, 1), a->c[at]);
-    *a = laurent_constant(rational_from(0, 1));
+    *a = constant(rational_from(0, 1));
     a->c[SIZE - 1 - at] = q;
     return true;
 }
 
-static bool apply_operation(struct laurent *a, char operation, struct laurent *b)
+static void set(void *out, rational q)
 {
+    *(struct laurent *)out = constant(q);
+}
+
+static bool apply(void *a, char operation, void *b, const void *field)
+{
+    (void)field;
     if (operation == '+')
-        add(a, b);
+        laurent_add(a, b);
     else if (operation == '-')
-        laurent_subtract(a, b);
+        subtract(a, b);
     else
         return (operation == '*' || invert(b)) && multiply(a, b);
     return true;
 }
 
-/* Sums and products. */
-static bool evaluate_terms(struct laurent *out, const struct node *f,
-                           const struct environment *e)
+/* Numbers, k, and parameters with a value. */
+static bool simple(void *out, const struct node *f, const struct environment *e,
+                   const void *field)
 {
-    struct laurent *term = allocate(1, sizeof *term);
+    const struct definition *d = &e->language->definition[f->name];
 
-    *out = laurent_constant(rational_from(f->kind == NODE_SUM ? 0 : 1, 1));
-    for (const struct node *n = f->first; n != NULL; n = n->next)
-        if (!laurent_evaluate(term, n, e) || !apply_operation(out, n->join, term))
-            return false;
-    return true;
-}
-
-/* x ^ n, n = 0, 1, 2 ... */
-static bool evaluate_power(struct laurent *out, const struct node *f,
-                           const struct environment *e)
-{
-    struct laurent *base = allocate(1, sizeof *base);
-    const struct node *exponent = f->first->next;
-    struct value n = evaluate(exponent, e);
-    int64_t times;
-
-    if (exponent->join == '-')
-        value_negate(&n);
-    if (n.kind != RATIONAL || n.range || !rational_is_whole(n.q) || n.q.num.sign < 0 ||
-        !integer_get_small(&times, n.q.num, LAURENT_DEGREE) ||
-        !laurent_evaluate(base, f->first, e))
+    (void)field;
+    set(out, rational_from(0, 1));
+    if (f->kind == NODE_NUMBER)
+        set(out, f->number);
+    else if (f->kind == NODE_K)
+        ((struct laurent *)out)->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
+    else if (f->kind == NODE_NAME && d->formula == NULL &&
+             rational_compare(d->low, d->high) == 0)
+        set(out, d->low);
+    else
         return false;
-    *out = laurent_constant(rational_from(1, 1));
-    for (int64_t i = 0; i < times; i++)
-        if (!multiply(out, base))
-            return false;
     return true;
-}
-
-static bool evaluate_cases(struct laurent *out, const struct node *f,
-                           const struct environment *e)
-{
-    for (const struct node *n = f->first; n != NULL; n = n->next->next) {
-        enum truth truth = n->next == NULL ? YES : condition_truth(n, e);
-
-        if (truth == UNKNOWN)
-            return false;
-        if (truth == YES)
-            return laurent_evaluate(out, n->next == NULL ? n : n->next, e);
-    }
-    return false;
 }
 
 bool laurent_evaluate(struct laurent *out, const struct node *f, const struct environment *e)
 {
-    const struct definition *d;
+    const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
 
-    switch (f->kind) {
-    case NODE_NUMBER:
-        *out = laurent_constant(f->number);
-        return true;
-    case NODE_K:
-        *out = laurent_constant(rational_from(0, 1));
-        out->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
-        return true;
-    case NODE_NAME:
-        d = &e->language->definition[f->name];
-        if (d->formula != NULL)
-            return laurent_evaluate(out, d->formula, e);
-        *out = laurent_constant(d->low);
-        return rational_compare(d->low, d->high) == 0;
-    case NODE_SUM:
-    case NODE_PRODUCT:
-        return evaluate_terms(out, f, e);
-    case NODE_POWER:
-        return evaluate_power(out, f, e);
-    case NODE_CASES:
-        return evaluate_cases(out, f, e);
-    default:
-        return false;
+    return ring_value(out, f, e, &ring);
+}
+
+bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)
+{
+    struct laurent *rest = &out[rule->rest];
+
+    *rest = constant(rational_from(1, 1));
+    for (int i = 0; i < rule->count; i++) {
+        if (i == rule->rest)
+            continue;
+        if (!laurent_evaluate(&out[i], rule->source[i].weight, e))
+            return false;
+        subtract(rest, &out[i]);
     }
+    return true;
+}
+
+void laurent_rescale(struct laurent *a, int64_t unit)
+{
+    for (int i = 0; i < SIZE; i++) {
+        if (a->c[i].num.sign == 0)
+            continue;
+        for (int n = LAURENT_DEGREE; n < i; n++)
+            a->c[i] = rational_mul(a->c[i], rational_from(unit, 1));
+        for (int n = i; n < LAURENT_DEGREE; n++)
+            a->c[i] = rational_mul(a->c[i], rational_from(1, unit));
+    }
+}
+
+/* Horner: z = b_n, then z = z kappa + b_i, i = n - 1 .. 0. */
+bool laurent_in_kappa(struct affine *out, const struct laurent *a, int shift, struct affine kappa,
+                      int g)
+{
+    int first = shift + LAURENT_DEGREE;
+
+    for (int c = -LAURENT_DEGREE; c <= LAURENT_DEGREE; c++)
+        if (c > shift && laurent_at(a, c).num.sign != 0)
+            return false;
+    while (first > 0 && laurent_at(a, shift - first).num.sign == 0)
+        first--;
+    *out = affine_from_whole(0, g);
+    for (int i = first; i >= 0; i--)
+        *out = affine_add(affine_mul(*out, kappa, g),
+                          affine_from(grid_from_rational(laurent_at(a, shift - i), g)));
+    return true;
 }

@@ -1,9 +1,11 @@
 #ifndef CHECK_LAURENT_H
 #define CHECK_LAURENT_H
 
-/* Laurent values: certificate-valences.md, section 4, "Limit". */
+/* Laurent values: certificate-valences.md, section 4, "Limit", and section 6, "Growing". */
 
-#include "evaluate.h"
+#include "affine.h"
+#include "scheme.h"
+#include "value.h"
 
 enum { LAURENT_DEGREE = 64 };
 
@@ -16,10 +18,19 @@ struct laurent {
 bool laurent_evaluate(struct laurent *out, const struct node *formula,
                       const struct environment *e);
 
-struct laurent laurent_constant(rational q);
-void laurent_subtract(struct laurent *a, const struct laurent *b);
+/* Those of the weights of a rule for the centre, one for each source; false if one has none. */
+bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e);
+
+void laurent_add(struct laurent *a, const struct laurent *b);
+
+/* In units of `unit`: the coefficients of (k/unit)^i. */
+void laurent_rescale(struct laurent *a, int64_t unit);
 
 /* The coefficient of k^i. */
 rational laurent_at(const struct laurent *a, int i);
+
+/* a kappa^shift, 1/kappa in the place of k; false if that has a negative exponent of kappa. */
+bool laurent_in_kappa(struct affine *out, const struct laurent *a, int shift, struct affine kappa,
+                      int g);
 
 #endif

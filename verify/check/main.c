@@ -40,14 +40,13 @@
  *     characteristic  section 7, the characteristic net
  *     decide          section 8, the decisions
  *     check           sections 3 to 9, one after the other
- *     claim           the valences that are claimed
- *     folder          the certificates of a folder
+ *     claim           the valences that are claimed, the certificates of a folder
  *     main            arguments and section 10
  */
 
 #include "answer.h"
 #include "check.h"
-#include "folder.h"
+#include "claim.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,8 +73,12 @@ static const char USAGE[] =
 /* Arguments
  * --------- */
 
+enum { SCHEME, VALENCE, CLAIM, CERTIFICATE, VALUES };
+
+static const char *const NAME[VALUES] = { "--scheme", "--valence", "--claim", "certificate" };
+
 struct arguments {
-    const char *scheme, *valence, *claim, *certificate;
+    const char *value[VALUES];
     int settings;
     struct setting setting[MAX_SETTINGS];
 };
@@ -84,26 +87,22 @@ struct arguments {
  * the argument is another one. */
 static const char *option_value(const char *name, char **arguments, int count, int *i)
 {
-    const char *argument = arguments[*i];
-    size_t length = strlen(name);
+    const char *rest = arguments[*i] + strlen(name);
 
-    if (strncmp(argument, name, length) != 0)
+    if (strncmp(arguments[*i], name, strlen(name)) != 0 || (*rest != '=' && *rest != '\0'))
         return NULL;
-    if (argument[length] == '=')
-        return argument + length + 1;
-    if (argument[length] != '\0')
-        return NULL;
-    if (*i + 1 >= count)
+    if (*rest == '=')
+        return rest + 1;
+    if (++*i >= count)
         cannot_check("option %s needs a value (see --help)", name);
-    (*i)++;
     return arguments[*i];
 }
 
-static void set_once(const char **out, const char *value, const char *what)
+static void set_once(struct arguments *out, int i, const char *value)
 {
-    if (*out != NULL)
-        cannot_check("%s is given twice (see --help)", what);
-    *out = value;
+    if (out->value[i] != NULL)
+        cannot_check("%s is given twice (see --help)", NAME[i]);
+    out->value[i] = value;
 }
 
 /* NAME=VALUE */
@@ -112,8 +111,8 @@ static void add_setting(struct arguments *out, const char *text)
     const char *sign = strchr(text, '=');
     char *name;
 
-    if (sign == NULL || sign == text)
-        cannot_check("--set: expected NAME=VALUE");
+    if (sign == NULL || sign == text || sign[1] == '\0' || strpbrk(sign, "#\n") != NULL)
+        cannot_check("--set: expected NAME=VALUE, and a value on one line");
     if (out->settings == MAX_SETTINGS)
         cannot_check("--set: expected at most %d settings", MAX_SETTINGS);
     name = allocate((size_t)(sign - text) + 1, 1);
@@ -121,7 +120,7 @@ static void add_setting(struct arguments *out, const char *text)
     for (int i = 0; i < out->settings; i++)
         if (strcmp(out->setting[i].name, name) == 0)
             cannot_check("--set: `%s` is set twice", name);
-    out->setting[out->settings++] = (struct setting) { name, sign + 1, false };
+    out->setting[out->settings++] = (struct setting) { name, sign + 1 };
 }
 
 /* Output that did not arrive is no answer. */
@@ -144,18 +143,21 @@ static void read_option(struct arguments *out, char **arguments, int count, int 
 
     if (strcmp(arguments[*i], "--help") == 0)
         print_and_exit(USAGE);
-    else if (strcmp(arguments[*i], "--version") == 0)
+    if (strcmp(arguments[*i], "--version") == 0)
         print_and_exit("smoothcert-check, certificates of versions 0 and 1\n");
-    else if ((value = option_value("--scheme", arguments, count, i)) != NULL)
-        set_once(&out->scheme, value, "--scheme");
-    else if ((value = option_value("--valence", arguments, count, i)) != NULL)
-        set_once(&out->valence, value, "--valence");
-    else if ((value = option_value("--claim", arguments, count, i)) != NULL)
-        set_once(&out->claim, value, "--claim");
-    else if ((value = option_value("--set", arguments, count, i)) != NULL)
+    value = option_value("--set", arguments, count, i);
+    if (value != NULL) {
         add_setting(out, value);
-    else
-        cannot_check("unknown option %s (see --help)", arguments[*i]);
+        return;
+    }
+    for (int n = 0; n < CERTIFICATE; n++) {
+        value = option_value(NAME[n], arguments, count, i);
+        if (value != NULL) {
+            set_once(out, n, value);
+            return;
+        }
+    }
+    cannot_check("unknown option %s (see --help)", arguments[*i]);
 }
 
 static void read_arguments(struct arguments *out, int count, char **arguments)
@@ -163,24 +165,17 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
     bool options_end = false;
 
     for (int i = 1; i < count; i++) {
-        const char *argument = arguments[i];
-
-        if (options_end || argument[0] != '-' || argument[1] == '\0')
-            set_once(&out->certificate, argument, "the certificate");
-        else if (strcmp(argument, "--") == 0)
+        if (options_end || arguments[i][0] != '-' || arguments[i][1] == '\0')
+            set_once(out, CERTIFICATE, arguments[i]);
+        else if (strcmp(arguments[i], "--") == 0)
             options_end = true;
         else
             read_option(out, arguments, count, &i);
     }
-    if (out->scheme == NULL)
-        cannot_check("no scheme is given (see --help)");
-    if (out->valence == NULL)
-        cannot_check("no valence is given (see --help)");
-    if (out->claim == NULL)
-        cannot_check("no claim is given (see --help)");
-    if (out->certificate == NULL)
-        cannot_check("no certificate is given (see --help)");
-    if (strcmp(out->claim, "c1") != 0 && strcmp(out->claim, "not-c1") != 0)
+    for (int i = 0; i < VALUES; i++)
+        if (out->value[i] == NULL)
+            cannot_check("no %s is given (see --help)", NAME[i] + (i == CERTIFICATE ? 0 : 2));
+    if (strcmp(out->value[CLAIM], "c1") != 0 && strcmp(out->value[CLAIM], "not-c1") != 0)
         cannot_check("--claim: expected c1 or not-c1");
 }
 
@@ -223,7 +218,10 @@ static void print_verified(const char *scheme, bool not_c1, struct span k,
         return;
     }
     print_decimal(v->eigenvalue.lo, false, v->g);
-    printf(" %s %s %s ", less, name, less);
+    printf(" %s %s", less, name);
+    if (v->degree > 0)
+        printf(" (%lld/k)^%d", (long long)v->unit, v->degree);
+    printf(" %s ", less);
     print_decimal(v->eigenvalue.hi, true, v->g);
     printf(")\n");
 }
@@ -237,10 +235,10 @@ int main(int count, char **arguments)
     bool not_c1;
 
     read_arguments(a, count, arguments);
-    claim_read(claim, a->valence);
-    not_c1 = strcmp(a->claim, "not-c1") == 0;
-    statement = statement_new(a->scheme, a->setting, a->settings, not_c1);
-    folder_partition(&folder, a->certificate, claim);
+    claim_read(claim, a->value[VALENCE]);
+    not_c1 = strcmp(a->value[CLAIM], "not-c1") == 0;
+    statement = statement_new(a->value[SCHEME], a->setting, a->settings, not_c1);
+    folder_partition(&folder, a->value[CERTIFICATE], claim);
     for (int i = 0; i < folder.count; i++) {
         struct span k = folder.file[i].k;
         struct verified v = check_certificate(statement, k, folder.file[i].name);

@@ -67,21 +67,47 @@ void mask_set_weights(struct mask *out, const rational *weight)
         cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
 }
 
+struct points mask_points(const struct mask *mask)
+{
+    int cells = mask->side_a * mask->side_b;
+    struct points out = { .point = allocate((size_t)cells, sizeof out.point[0]) };
+
+    for (int n = 0; n < cells; n++) {
+        int a = n / mask->side_b + mask->low_a, b = n % mask->side_b + mask->low_b;
+        const int f[3] = { a, b, a + b };
+
+        if (mask->coefficient[n].sign == 0)
+            continue;
+        for (int i = 0; i < 3; i++) {
+            if (out.count == 0 || f[i] < out.low[i])
+                out.low[i] = f[i];
+            if (out.count == 0 || f[i] > out.high[i])
+                out.high[i] = f[i];
+        }
+        out.point[out.count++] = (struct point) { a, b, mask->coefficient[n] };
+    }
+    return out;
+}
+
+/* The class modulo 2 */
+static int parity(int a, int b)
+{
+    return abs(a) % 2 * 2 + abs(b) % 2;
+}
+
 /* Conditions
  * ---------- */
 
 static bool classes_sum_to_one(const struct mask *mask)
 {
+    struct points p = mask_points(mask);
     integer sum[4] = { integer_from(0), integer_from(0), integer_from(0),
                        integer_from(0) };
 
-    for (int i = 0; i < mask->side_a; i++) {
-        for (int j = 0; j < mask->side_b; j++) {
-            int class = abs(i + mask->low_a) % 2 * 2 + abs(j + mask->low_b) % 2;
+    for (int i = 0; i < p.count; i++) {
+        integer *own = &sum[parity(p.point[i].a, p.point[i].b)];
 
-            sum[class] = integer_add(sum[class],
-                                     mask->coefficient[i * mask->side_b + j]);
-        }
+        *own = integer_add(*own, p.point[i].weight);
     }
     for (int class = 0; class < 4; class++)
         if (integer_compare(sum[class], mask->denominator) != 0)
@@ -89,39 +115,42 @@ static bool classes_sum_to_one(const struct mask *mask)
     return true;
 }
 
-/* Has every label of the box the coefficient of its image?  (Then labels outside
- * of the box have no images with others: the images of the box's labels are as
- * many as they, and map(map(...)) comes back.) */
-static bool is_rotated(const struct mask *mask, enum mesh mesh)
+static void exchange(enum mesh mesh, int *a, int *b)
 {
-    for (int i = 0; i < mask->side_a; i++) {
-        for (int j = 0; j < mask->side_b; j++) {
-            int a = i + mask->low_a, b = j + mask->low_b;
-            integer here = at(mask, a, b);
+    int x = *a;
 
-            label_rotate(mesh, &a, &b);
-            if (integer_compare(here, at(mask, a, b)) != 0)
-                return false;
-        }
+    (void)mesh;
+    *a = *b;
+    *b = x;
+}
+
+/* Has every label with a coefficient an image with the same one?  (Then these labels are
+ * permuted, and the images of all others have none.) */
+static bool is_invariant(const struct mask *mask, enum mesh mesh,
+                         void (*map)(enum mesh mesh, int *a, int *b))
+{
+    struct points p = mask_points(mask);
+
+    for (int i = 0; i < p.count; i++) {
+        int a = p.point[i].a, b = p.point[i].b;
+
+        map(mesh, &a, &b);
+        if (integer_compare(p.point[i].weight, at(mask, a, b)) != 0)
+            return false;
     }
     return true;
 }
 
 bool mask_is_mirrored(const struct mask *mask)
 {
-    for (int i = 0; i < mask->side_a; i++)
-        for (int j = 0; j < mask->side_b; j++)
-            if (integer_compare(at(mask, i + mask->low_a, j + mask->low_b),
-                                at(mask, j + mask->low_b, i + mask->low_a)) != 0)
-                return false;
-    return true;
+    return is_invariant(mask, TRIANGLE, exchange);
 }
 
 const char *mask_fault(const struct mask *mask, enum mesh mesh)
 {
     if (!classes_sum_to_one(mask))
         return "a mask whose weights sum to 1 in each class modulo 2";
-    if (!is_rotated(mask, mesh))
+    if (!is_invariant(mask, mesh, label_rotate))
         return mesh == TRIANGLE ? "a mask invariant under (i,j) -> (-j, i+j)"
                                 : "a mask invariant under (i,j) -> (-j, i)";
     return NULL;
@@ -158,21 +187,16 @@ bool mask_divide(struct mask *out, const struct mask *a, int da, int db)
 
 struct mask mask_multiply(const struct mask *a, const struct mask *b)
 {
+    struct points p = mask_points(a), q = mask_points(b);
     struct mask out = mask_new(a->low_a + b->low_a, a->low_b + b->low_b,
                                a->side_a + b->side_a - 1, a->side_b + b->side_b - 1);
 
     out.denominator = integer_mul(a->denominator, b->denominator);
-    for (int i = 0; i < a->side_a * a->side_b; i++) {
-        if (a->coefficient[i].sign == 0)
-            continue;
-        for (int j = 0; j < b->side_a * b->side_b; j++) {
-            integer *cell = &out.coefficient[
-                (i / a->side_b + j / b->side_b) * out.side_b +
-                i % a->side_b + j % b->side_b];
+    for (int i = 0; i < p.count * q.count; i++) {
+        const struct point *x = &p.point[i / q.count], *y = &q.point[i % q.count];
+        integer *cell = mask_cell(&out, x->a + y->a, x->b + y->b);
 
-            *cell = integer_add(*cell, integer_mul(a->coefficient[i],
-                                                   b->coefficient[j]));
-        }
+        *cell = integer_add(*cell, integer_mul(x->weight, y->weight));
     }
     if (integer_bits(out.denominator) > RATIONAL_BITS)
         cannot_check("a rational number of more than %d bits occurs", RATIONAL_BITS);
@@ -202,46 +226,30 @@ bool mask_is_nonnegative(const struct mask *a)
 
 int stencil_class(const struct stencil *s, int a, int b)
 {
-    return s->dilation == 1 ? 0 : abs(a) % 2 * 2 + abs(b) % 2;
-}
-
-static void extend_range(struct stencil *out, bool first, int a, int b)
-{
-    const int f[3] = { a, b, a + b };
-
-    for (int i = 0; i < 3; i++) {
-        if (first || f[i] < out->low[i])
-            out->low[i] = f[i];
-        if (first || f[i] > out->high[i])
-            out->high[i] = f[i];
-    }
+    return s->dilation == 1 ? 0 : parity(a, b);
 }
 
 struct stencil stencil_make(const struct mask *mask, int dilation, int g)
 {
     struct stencil out = { .dilation = dilation };
+    struct points p = mask_points(mask);
     int count = 0;
 
-    out.entry = allocate((size_t)mask->side_a * (size_t)mask->side_b,
-                         sizeof out.entry[0]);
+    if (p.count == 0)
+        cannot_check("the checker has an empty mask");
+    for (int i = 0; i < 3; i++) {
+        out.low[i] = p.low[i];
+        out.high[i] = p.high[i];
+    }
+    out.entry = allocate((size_t)p.count, sizeof out.entry[0]);
     for (int class = 0; class < 4; class++) {
         out.first[class] = count;
-        for (int i = 0; i < mask->side_a; i++) {
-            for (int j = 0; j < mask->side_b; j++) {
-                int a = i + mask->low_a, b = j + mask->low_b;
-                integer c = mask->coefficient[i * mask->side_b + j];
-
-                if (c.sign == 0 || stencil_class(&out, a, b) != class)
-                    continue;
-                extend_range(&out, count == 0, a, b);
-                out.entry[count].a = a;
-                out.entry[count].b = b;
-                out.entry[count++].weight = grid_from_fraction(c, mask->denominator, g);
-            }
-        }
+        for (const struct point *x = p.point; x < p.point + p.count; x++)
+            if (stencil_class(&out, x->a, x->b) == class)
+                out.entry[count++] = (struct stencil_entry) {
+                    x->a, x->b, grid_from_fraction(x->weight, mask->denominator, g)
+                };
     }
     out.first[4] = count;
-    if (count == 0)
-        cannot_check("the checker has an empty mask");
     return out;
 }

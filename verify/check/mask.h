@@ -48,9 +48,21 @@ struct mask mask_multiply(const struct mask *a, const struct mask *b);
 struct mask mask_double(const struct mask *a);
 bool mask_is_nonnegative(const struct mask *a);
 
-/* A mask on the grid: the labels with a weight other than 0, ordered by class
- * modulo the dilation, their weights as from_rational() gives them, and for f = a,
- * b, a+b the least and greatest f of the labels. */
+/* The labels with a weight other than 0, in order; their weights times the denominator; and for
+ * f = a, b, a+b the least and greatest f of the labels. */
+struct points {
+    int count;
+    struct point {
+        int a, b;
+        integer weight;
+    } *point;
+    int low[3], high[3];
+};
+
+struct points mask_points(const struct mask *mask);
+
+/* A mask on the grid: its points ordered by class modulo the dilation, their weights as
+ * from_rational() gives them. */
 struct stencil_entry {
     int a, b;
     interval weight;

@@ -60,32 +60,18 @@ bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mes
 
 /* The points of s with their weights, times the denominator. */
 struct weights {
-    int count;
-    int *a, *b;
-    integer *weight;
+    struct points p;
     int low, side;                                 /* rows: low, low + 1, ... */
 };
 
 static struct weights list_weights(const struct mask *s)
 {
-    size_t cells = (size_t)s->side_a * (size_t)s->side_b;
-    struct weights out = { .a = allocate(cells, sizeof out.a[0]),
-                           .b = allocate(cells, sizeof out.b[0]),
-                           .weight = allocate(cells, sizeof out.weight[0]) };
+    struct weights out = { .p = mask_points(s) };
     int least = 0, greatest = 0;
 
-    for (size_t i = 0; i < cells; i++) {
-        int a = (int)i / s->side_b + s->low_a, b = (int)i % s->side_b + s->low_b;
-
-        if (s->coefficient[i].sign == 0)
-            continue;
-        out.a[out.count] = a;
-        out.b[out.count] = b;
-        out.weight[out.count++] = s->coefficient[i];
-        least = a < least ? a : least;
-        least = b < least ? b : least;
-        greatest = a > greatest ? a : greatest;
-        greatest = b > greatest ? b : greatest;
+    for (int i = 0; i < 2; i++) {
+        least = out.p.low[i] < least ? out.p.low[i] : least;
+        greatest = out.p.high[i] > greatest ? out.p.high[i] : greatest;
     }
     out.low = -greatest;
     out.side = 1 - least + greatest + 1;
@@ -96,14 +82,14 @@ static struct weights list_weights(const struct mask *s)
  * which y = (x - p)/2 is a lattice point. */
 static void spread(integer *new, integer old, int a, int b, const struct weights *s)
 {
-    for (int i = 0; i < s->count; i++) {
-        int twice_a = a - s->a[i], twice_b = b - s->b[i];
+    for (int i = 0; i < s->p.count; i++) {
+        int twice_a = a - s->p.point[i].a, twice_b = b - s->p.point[i].b;
         integer *entry;
 
         if (twice_a % 2 != 0 || twice_b % 2 != 0)
             continue;
         entry = &new[(twice_a / 2 - s->low) * s->side + twice_b / 2 - s->low];
-        *entry = integer_add(*entry, integer_mul(old, s->weight[i]));
+        *entry = integer_add(*entry, integer_mul(old, s->p.point[i].weight));
     }
 }
 

@@ -20,4 +20,8 @@ const char *regular_pair_name(enum mesh mesh, int i);
 /* Whether the norm of s^N, s = 2 second, is < 1. */
 bool regular_contracts(const struct mask *second, int n);
 
+/* Whether K <= T/1024 is verified with the power N: lib/stability.md, section 3,
+ * "Verification".  T > 1024, 1 <= N <= 9.  The scheme of the mask converges. */
+bool stability_holds(const struct mask *mask, int n, int64_t t);
+
 #endif

@@ -3,7 +3,6 @@
 #include "scheme.h"
 
 #include "answer.h"
-#include "symmetry.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +13,6 @@ enum { MAX_NAME = 64, MASK_RADIUS = 8, MASK_SIDE = 2 * MASK_RADIUS + 1,
 struct reader {
     struct scheme *scheme;
     struct statements s;
-    struct setting *settings;
-    int setting_count;
 };
 
 /* A statement of the word `first` and something behind it. */
@@ -44,51 +41,44 @@ static bool next_is(struct reader *r, const char *word)
 
 static void read_name(char *out, struct cursor *c)
 {
-    int length = 0;
+    const char *from;
+    size_t length;
 
     cursor_skip_blanks(c);
+    from = c->at;
     if (c->at == c->end || *c->at < 'a' || *c->at > 'z')
         cursor_error(c, "expected a name that begins with a lower-case letter");
-    for (; c->at < c->end && ((*c->at >= 'a' && *c->at <= 'z') ||
-                              (*c->at >= '0' && *c->at <= '9') || *c->at == '-');
-         c->at++) {
-        if (length == MAX_NAME)
-            cursor_error(c, "expected a name of at most 64 characters");
-        out[length++] = *c->at;
-    }
-    out[length] = '\0';
+    while (c->at < c->end && ((*c->at >= 'a' && *c->at <= 'z') || cursor_at_digit(c) ||
+                              *c->at == '-'))
+        c->at++;
+    length = (size_t)(c->at - from);
+    if (length > MAX_NAME)
+        cursor_error(c, "expected a name of at most 64 characters");
+    memcpy(out, from, length);
+}
+
+static void read_mesh(struct scheme *out, struct cursor *c)
+{
+    if (cursor_accept_word(c, "triangle"))
+        out->mesh = TRIANGLE;
+    else if (cursor_accept_word(c, "quad"))
+        out->mesh = cursor_accept_text(c, "-dual") ? DUAL : QUAD;
+    else
+        cursor_error(c, "expected `triangle`, `quad` or `quad-dual`");
+    cursor_expect_end(c);
 }
 
 static void read_header(struct reader *r)
 {
-    struct scheme *out = r->scheme;
     struct cursor c = next_statement(r, "scheme", "expected `scheme` and a name");
-    struct cursor place;
 
-    read_name(out->name, &c);
+    read_name(r->scheme->name, &c);
     cursor_expect_end(&c);
-
-    c = place = next_statement(r, "mesh", "expected `mesh` and its kind");
-    if (cursor_accept_word(&c, "triangle")) {
-        out->mesh = TRIANGLE;
-    } else if (cursor_accept_word(&c, "quad")) {
-        out->mesh = QUAD;
-        if (c.end - c.at >= 5 && memcmp(c.at, "-dual", 5) == 0) {
-            out->mesh = DUAL;
-            c.at += 5;
-        }
-        beyond_version_0(&out->language, &place,
-                         "expected `triangle`, the only mesh of version 0");
-    } else {
-        cursor_error(&c, "expected `triangle`, `quad` or `quad-dual`");
-    }
-    cursor_expect_end(&c);
-
+    c = next_statement(r, "mesh", "expected `mesh` and its kind");
+    read_mesh(r->scheme, &c);
     c = next_statement(r, "dilation", "expected `dilation 2`");
-    if (!cursor_accept(&c, '2'))
-        cursor_error(&c, "expected `2`, the only dilation");
+    cursor_expect(&c, '2', "expected `2`, the only dilation");
     cursor_expect_end(&c);
-
     c = next_statement(r, "vertices", "expected `vertices interior`");
     if (!cursor_accept_word(&c, "interior"))
         cursor_error(&c, "expected `interior`");
@@ -116,33 +106,14 @@ static void read_constant(struct definition *out, struct cursor *c, struct langu
 {
     if (!cursor_accept(c, '[')) {
         out->low = out->high = read_rational(c, l);
-    } else {
-        out->low = read_rational(c, l);
-        if (!cursor_accept(c, ','))
-            cursor_error(c, "expected `,`");
-        out->high = read_rational(c, l);
-        if (!cursor_accept(c, ']'))
-            cursor_error(c, "expected `]`");
-        if (rational_compare(out->low, out->high) > 0)
-            cursor_error(c, "the lower end of this interval is above the upper one");
+        return;
     }
-    cursor_expect_end(c);
-}
-
-/* The value that the reader has set, if any, else what is at c. */
-static struct cursor constant_at(struct reader *r, const struct cursor *c,
-                                 const char *name)
-{
-    for (int i = 0; i < r->setting_count; i++) {
-        const char *value = r->settings[i].value;
-        struct cursor set = { "--set", 0, value, value, value + strlen(value) };
-
-        if (strcmp(r->settings[i].name, name) != 0)
-            continue;
-        r->settings[i].used = true;
-        return set;
-    }
-    return *c;
+    out->low = read_rational(c, l);
+    cursor_expect(c, ',', "expected `,`");
+    out->high = read_rational(c, l);
+    cursor_expect(c, ']', "expected `]`");
+    if (rational_compare(out->low, out->high) > 0)
+        cursor_error(c, "the lower end of this interval is above the upper one");
 }
 
 static void read_definition(struct reader *r, bool parameter)
@@ -152,9 +123,6 @@ static void read_definition(struct reader *r, bool parameter)
     struct cursor c = next_statement(r, parameter ? "parameter" : "let", "");
     struct cursor place = c;
 
-    c.at = c.begin;
-    beyond_version_0(l, &c, "expected `mask` or `mask symmetric`");
-    c = place;
     if (l->count == MAX_DEFINITIONS)
         cursor_error(&c, "expected at most 64 parameters and abbreviations");
     if (!cursor_read_word(d->name, MAX_WORD, &c) || word_is_reserved(d->name))
@@ -162,32 +130,19 @@ static void read_definition(struct reader *r, bool parameter)
     for (int i = 0; i < l->count; i++)
         if (strcmp(d->name, l->definition[i].name) == 0)
             cursor_error(&place, "expected a name that is not defined yet");
-    if (!cursor_accept(&c, '='))
-        cursor_error(&c, "expected `=`");
-    if (parameter) {
-        c = constant_at(r, &c, d->name);
+    cursor_expect(&c, '=', "expected `=`");
+    if (parameter)
         read_constant(d, &c, l);
-    } else {
+    else
         d->formula = formula_read(&c, l, MEANS_K | MEANS_M | MEANS_J);
-        cursor_expect_end(&c);
-    }
+    cursor_expect_end(&c);
     l->count++;
 }
 
 static void read_definitions(struct reader *r)
 {
-    for (;;) {
-        if (next_is(r, "parameter"))
-            read_definition(r, true);
-        else if (next_is(r, "let"))
-            read_definition(r, false);
-        else
-            break;
-    }
-    for (int i = 0; i < r->setting_count; i++)
-        if (!r->settings[i].used)
-            cannot_check("--set: the scheme has no parameter `%s`",
-                         r->settings[i].name);
+    while (next_is(r, "parameter") || next_is(r, "let"))
+        read_definition(r, next_is(r, "parameter"));
 }
 
 /* Points
@@ -204,22 +159,18 @@ static int read_coordinate(struct cursor *c, enum mesh mesh, int shift)
     value = cursor_read_whole(c, 2);
     if (mesh != DUAL)
         return value;
-    if (value % 2 == 0 || c->end - c->at < 2 || memcmp(c->at, "/2", 2) != 0)
+    if (value % 2 == 0 || !cursor_accept_text(c, "/2"))
         cursor_error(&place, "expected halves such as 1/2 or -3/2");
-    c->at += 2;
     return (value + shift) / 2;
 }
 
 static void read_point(int *a, int *b, struct cursor *c, enum mesh mesh, int shift)
 {
-    if (!cursor_accept(c, '('))
-        cursor_error(c, "expected a point, like (1,0)");
+    cursor_expect(c, '(', "expected a point, like (1,0)");
     *a = read_coordinate(c, mesh, shift);
-    if (!cursor_accept(c, ','))
-        cursor_error(c, "expected `,`");
+    cursor_expect(c, ',', "expected `,`");
     *b = read_coordinate(c, mesh, shift);
-    if (!cursor_accept(c, ')'))
-        cursor_error(c, "expected `)`");
+    cursor_expect(c, ')', "expected `)`");
 }
 
 int label_ring(enum mesh mesh, int a, int b)
@@ -277,20 +228,16 @@ static void name_point(struct mask_reader *m, int a, int b, bool symmetric, rati
 static void read_mask_entry(struct mask_reader *m, struct cursor *c, bool symmetric,
                             struct language *l)
 {
-    struct environment e = environment_plain(l, EXACT_GRID);
     struct cursor place = *c;
-    struct value v;
+    rational weight;
     int a, b;
 
     read_point(&a, &b, c, m->mesh, -1);
     if (lattice_distance(m->mesh, a, b) > MASK_RADIUS || mask_cell(&m->mask, a, b) == NULL)
         cursor_error(&place, "expected a point at a distance of at most 8");
-    v = evaluate(formula_read(c, l, 0), &e);
+    weight = read_rational(c, l);
     cursor_expect_end(c);
-    value_require(v, l, NULL, 0);
-    if (v.kind != RATIONAL)
-        cursor_error(&place, "expected a weight that is exactly rational");
-    name_point(m, a, b, symmetric, v.q, &place);
+    name_point(m, a, b, symmetric, weight, &place);
 }
 
 static struct mask read_mask(struct reader *r)
@@ -321,9 +268,6 @@ static struct mask read_mask(struct reader *r)
     fault = mask_fault(&m->mask, m->mesh);
     if (fault != NULL)
         cannot_check_at(r->s.file, first.line, 0, "expected %s", fault);
-    first.at = first.begin;
-    if (!mask_is_mirrored(&m->mask))
-        beyond_version_0(l, &first, "expected a mask invariant under (i,j) -> (j,i)");
     return m->mask;
 }
 
@@ -362,14 +306,9 @@ static struct cursor read_source(struct rule *rule, struct cursor *c,
         if (scheme->mesh == DUAL)
             cursor_error(&place, "a dual mesh has no point in its centre");
     } else if (cursor_accept_word(c, "all")) {
-        cursor_skip_blanks(c);
-        place = *c;
         out->kind = SOURCE_ALL;
         read_sector_point(&out->a, &out->b, c, scheme->mesh);
-        if (out->a != 1 || out->b != 0)
-            beyond_version_0(l, &place, "expected (1,0), the only point of version 0");
     } else {
-        beyond_version_0(l, c, "expected `all (1,0)` and its total weight");
         if (rule->centre)                          /* else not the same for all sectors */
             cursor_error(c, "expected `centre` or `all` in the rule of the centre");
         read_point_source(out, c, scheme->mesh);
@@ -414,22 +353,16 @@ static void find_rest(struct rule *rule, const struct cursor *place)
 static void read_rule(struct rule *out, struct reader *r)
 {
     struct scheme *scheme = r->scheme;
-    struct language *l = &scheme->language;
     struct cursor c = next_statement(r, "rule", "expected `rule`"), place = c;
 
     out->rest = -1;
     out->centre = cursor_accept_word(&c, "centre");
     if (out->centre && scheme->mesh == DUAL)
         cursor_error(&place, "a dual mesh has no point in its centre");
-    if (!out->centre) {
-        beyond_version_0(l, &c, "expected `centre`, the only rule of version 0");
+    if (!out->centre)
         read_sector_point(&out->a, &out->b, &c, scheme->mesh);
-    }
-    place = c;
-    if (cursor_accept_word(&c, "when")) {
-        beyond_version_0(l, &place, "expected the end of the line");
-        out->condition = condition_read(&c, l, MEANS_K);
-    }
+    if (cursor_accept_word(&c, "when"))
+        out->condition = condition_read(&c, &scheme->language, MEANS_K);
     cursor_expect_end(&c);
     for (;;) {
         statements_next(&c, &r->s, "expected a source and its weight, or `end`");
@@ -439,9 +372,6 @@ static void read_rule(struct rule *out, struct reader *r)
     }
     cursor_expect_end(&c);
     find_rest(out, &place);
-    if (out->centre && (out->count != 2 || out->source[0].kind != SOURCE_CENTRE ||
-                        out->source[1].kind != SOURCE_ALL))
-        beyond_version_0(l, &place, "expected `centre` and `all (1,0)`, in this order");
 }
 
 static void read_mask_and_rules(struct reader *r)
@@ -456,24 +386,12 @@ static void read_mask_and_rules(struct reader *r)
     step->dilation = 2;
     step->mask = read_mask(r);
     step->rule = rule;
-    for (;;) {
-        struct statements ahead = r->s;
-
-        if (!statements_more(&c, &ahead))
-            break;
-        if (step->rules == 1)
-            beyond_version_0(&out->language, &c, "expected the end of the line");
+    for (struct statements ahead = r->s; statements_more(&c, &ahead); ahead = r->s) {
         if (!cursor_accept_word(&c, "rule"))
             cursor_error(&c, "expected `rule`, or the end of the line");
         if (step->rules == MAX_RULES)
             cursor_error(&c, "expected at most 16 rules");
         read_rule(&rule[step->rules++], r);
-    }
-    if (step->rules == 0) {
-        statements_end(&r->s);
-        c = (struct cursor) { r->s.file, r->s.line + 1, r->s.at, r->s.at, r->s.at };
-        beyond_version_0(&out->language, &c,
-                         "expected `rule centre`, not the end of the file");
     }
 }
 
@@ -561,19 +479,14 @@ static struct node *number_node(rational q)
     return out;
 }
 
-/* formula "," formula */
-static void read_comma(struct cursor *c)
-{
-    if (!cursor_accept(c, ','))
-        cursor_error(c, "expected `,` and a second weight");
-}
-
 static void add_step(struct scheme *out, const struct step *step, const struct cursor *c)
 {
     if (out->steps == MAX_STEPS)
         cursor_error(c, "expected at most 34 steps");
     out->step[out->steps++] = *step;
 }
+
+static const char COMMA[] = "expected `,` and a second weight";
 
 /* ["repeat" formula ":"] "smooth" pair ["centre" pair] */
 static void read_smooth(struct reader *r, struct cursor *c)
@@ -591,19 +504,18 @@ static void read_smooth(struct reader *r, struct cursor *c)
         if (!rational_is_whole(q) || q.num.sign < 0 ||
             !integer_get_small(&times, q.num, MAX_STEPS))
             cursor_error(&place, "expected a whole number of repetitions, at most 34");
-        if (!cursor_accept(c, ':'))
-            cursor_error(c, "expected `:`");
+        cursor_expect(c, ':', "expected `:`");
     }
     if (!cursor_accept_word(c, "smooth"))
         cursor_error(c, "expected `smooth`, `repeat`, `average` or `end`");
     own = read_rational(c, l);
-    read_comma(c);
+    cursor_expect(c, ',', COMMA);
     edges = read_rational(c, l);
     at_centre[0] = number_node(own);
     at_centre[1] = number_node(edges);
     if (cursor_accept_word(c, "centre")) {
         at_centre[0] = formula_read(c, l, MEANS_K);
-        read_comma(c);
+        cursor_expect(c, ',', COMMA);
         at_centre[1] = formula_read(c, l, MEANS_K);
     }
     cursor_expect_end(c);
@@ -631,7 +543,6 @@ static void read_composition(struct reader *r)
     struct cursor c = next_statement(r, "compose", ""), place = c;
     struct step average = average_step();
 
-    beyond_version_0(&out->language, &c, "expected `mask` or `mask symmetric`");
     if (out->mesh != QUAD)
         cursor_error(&c, "expected `mesh quad` for `compose`");
     cursor_expect_end(&c);
@@ -653,7 +564,8 @@ static void read_composition(struct reader *r)
         read_smooth(r, &c);
     }
     cursor_expect_end(&c);
-    statements_end(&r->s);
+    if (statements_more(&c, &r->s))
+        cursor_expect_end(&c);
     out->step[0] = refine_step(out->mesh);
 }
 
@@ -662,21 +574,19 @@ static void read_composition(struct reader *r)
 
 int mask_reach(const struct mask *mask, enum mesh old, enum mesh new)
 {
+    struct points p = mask_points(mask);
     int out = 0;
 
-    for (int i = 0; i < mask->side_a * mask->side_b; i++) {
-        int a = i / mask->side_b + mask->low_a, b = i % mask->side_b + mask->low_b;
-        int reach;
+    if (old == QUAD && new == DUAL)                /* average */
+        return 0;
+    for (int i = 0; i < p.count; i++) {
+        int a = p.point[i].a, b = p.point[i].b, reach;
 
-        if (mask->coefficient[i].sign == 0)
-            continue;
         if (old == DUAL && new == DUAL) {          /* i >= 0 counts as i + 1 */
             a = a >= 0 ? a + 1 : a;
             b = b >= 0 ? b + 1 : b;
         }
         reach = lattice_distance(new, a, b);
-        if (old == QUAD && new == DUAL)            /* average */
-            reach = 0;
         out = reach > out ? reach : out;
     }
     return out;
@@ -705,10 +615,9 @@ int step_needs(const struct step *step, int j)
 /* All of it
  * --------- */
 
-void scheme_read(struct scheme *out, const char *file, const char *text, size_t size,
-                 struct setting *settings, int setting_count)
+void scheme_read(struct scheme *out, const char *file, const char *text, size_t size)
 {
-    struct reader r = { out, { file, 0, text, text + size }, settings, setting_count };
+    struct reader r = { out, { file, 0, text, text + size } };
 
     memset(out, 0, sizeof *out);
     out->language.file = file;
@@ -725,4 +634,15 @@ void scheme_read(struct scheme *out, const char *file, const char *text, size_t 
         out->mask = i == 0 ? step->mask : mask_multiply(&step->mask, &out->mask);
     }
     out->mirrored = scheme_is_mirrored(out);
+}
+
+bool scheme_is_of_version_0(const struct scheme *s)
+{
+    const struct rule *rule = s->step[0].rule;
+
+    return s->mesh == TRIANGLE && s->language.count == 0 && !s->language.beyond_0 &&
+           mask_is_mirrored(&s->mask) && s->step[0].rules == 1 && rule->centre &&
+           rule->condition == NULL && rule->count == 2 &&
+           rule->source[0].kind == SOURCE_CENTRE && rule->source[1].kind == SOURCE_ALL &&
+           rule->source[1].a == 1 && rule->source[1].b == 0;
 }

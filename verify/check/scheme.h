@@ -10,7 +10,7 @@
  */
 
 #include "mask.h"
-#include "evaluate.h"
+#include "value.h"
 
 enum { MAX_RULES = 16, MAX_SOURCES = 32, MAX_STEPS = 34 };
 
@@ -55,16 +55,12 @@ struct scheme {
     bool mirrored;                                 /* evidently mirror-symmetric */
 };
 
-/* --set NAME=VALUE */
-struct setting {
-    const char *name, *value;
-    bool used;
-};
-
 /* Reads the text of the file (whose bytes text_canonical() has checked).  A text
  * that is not a scheme: cannot check. */
-void scheme_read(struct scheme *out, const char *file, const char *text, size_t size,
-                 struct setting *settings, int setting_count);
+void scheme_read(struct scheme *out, const char *file, const char *text, size_t size);
+
+/* Is it a triangle scheme of one mask and one rule, as in verify/scheme-0.md? */
+bool scheme_is_of_version_0(const struct scheme *scheme);
 
 /* The largest reach of a mask's points: section 5, "Size". */
 int mask_reach(const struct mask *mask, enum mesh old, enum mesh new);
@@ -74,5 +70,12 @@ int label_ring(enum mesh mesh, int a, int b);
 
 /* needed(j) of section 5 for one step. */
 int step_needs(const struct step *step, int j);
+
+/* Is it evidently mirror-symmetric: lib/scheme.md, "Mirror symmetry"? */
+bool scheme_is_mirrored(const struct scheme *scheme);
+
+/* F of lib/ring.md: the farthest ring on which a new value may not follow the scheme's mask, at
+ * whatever valence beyond the regular one. */
+int scheme_influence(const struct scheme *scheme);
 
 #endif

@@ -4,9 +4,23 @@
 #include "sector.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 #include <string.h>
+
+struct affine pair_norm(struct pair v, int g)
+{
+    return affine_add(affine_mul(v.x, v.x, g), affine_mul(v.y, v.y, g));
+}
+
+struct pair pair_divide(struct pair v, struct pair w, int g)
+{
+    struct affine d = pair_norm(w, g);
+    struct affine x = affine_add(affine_mul(v.x, w.x, g), affine_mul(v.y, w.y, g));
+    struct affine y = affine_sub(affine_mul(v.y, w.x, g), affine_mul(v.x, w.y, g));
+
+    return (struct pair) { affine_div(x, d, g), affine_div(y, d, g) };
+}
 
 /* Rotation
  * -------- */
@@ -194,10 +208,10 @@ static struct pair value_by_rule(const struct net *old, const struct block *bloc
                       ? old->centre
                       : net_value(old, block, t->source->a, t->source->b);
 
-        if (block->plain)
-            sum.x = affine_add(sum.x, affine_mul(t->m[0], v.x, g));
-        else
+        if (block->has_y)
             add_pair(&sum, apply_matrix(t->m, v, g));
+        else
+            sum.x = affine_add(sum.x, affine_mul(t->m[0], v.x, g));
     }
     return sum;
 }
@@ -214,7 +228,7 @@ static struct pair value_by_mask(const struct net *old, const struct block *bloc
                                   (b - e->b) / s->dilation);
 
         affine_add_multiple(&sum.x, e->weight, &v.x, g);
-        if (!block->plain)
+        if (block->has_y)
             affine_add_multiple(&sum.y, e->weight, &v.y, g);
     }
     return sum;
@@ -232,6 +246,7 @@ static struct pair centre_by_mask(const struct net *old, const struct block *blo
             cannot_check("the centre has no rule, and the mask does not give it its "
                          "old value");
         out.x = affine_scale(s->entry[i].weight, old->centre.x, block->v->g);
+        out.y = affine_scale(s->entry[i].weight, old->centre.y, block->v->g);
     }
     return out;
 }
@@ -393,6 +408,9 @@ static void prepare_rules(struct block *out)
 
             if (!out->plain && step->rule[n].rule->centre)
                 continue;                          /* it stays 0 */
+            if (step->rule[n].missing != NULL)
+                value_require(*step->rule[n].missing, &out->v->scheme->language,
+                              out->v->reference.file, out->v->reference.line);
             rule->term = allocate((size_t)count, sizeof rule->term[0]);
             for (int s = 0; s < count; s++)
                 if (make_term(&rule->term[rule->terms], &step->rule[n].weighted[s], out))
@@ -475,16 +493,15 @@ void net_set_unknowns(struct net *out, const struct block *block,
         int a = block->unknown[i].a, b = block->unknown[i].b;
         struct pair value = { unknowns[i], zero };
 
+        if (block->has_y && !block->real)
+            value.y = unknowns[i + block->n];
         switch (block->unknown[i].kind) {
         case UNKNOWN_CENTRE:
             out->centre = value;
             break;
         case UNKNOWN_PLAIN:
         case UNKNOWN_SPOKE:
-            net_set(out, a, b, value);
-            break;
         case UNKNOWN_COMPLEX:
-            value.y = unknowns[i + block->n];
             net_set(out, a, b, value);
             break;
         case UNKNOWN_BISECTOR:
@@ -514,6 +531,7 @@ static void begin_block(struct block *out, const struct valence *v, bool real,
     out->v = v;
     out->m = m;
     out->plain = m.first == 0;
+    out->has_y = !out->plain;
     out->real = real && !out->plain;
     out->rings = scheme_rings(v->scheme);
 }

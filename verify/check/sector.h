@@ -6,7 +6,7 @@
  *
  * Section 5 of certificate.md.  A net on the k-regular complex that rotation
  * multiplies by exp(i w_m) is stored on one sector, up to some ring.  For m >= 1 a
- * value is a pair; for m = 0 values are plain: y is 0 and not used.
+ * value is a pair; for m = 0 values are plain, y being 0 and not used, or complex.
  */
 
 #include "affine.h"
@@ -15,6 +15,12 @@
 struct pair {
     struct affine x, y;
 };
+
+/* v / w, both standing for x + i y; |w|^2 must not contain 0. */
+struct pair pair_divide(struct pair v, struct pair w, int g);
+
+/* |v|^2, for x + i y. */
+struct affine pair_norm(struct pair v, int g);
 
 /* Where a label of the plane is. */
 enum place { IN_SECTOR, CENTRE, BEHIND, BEFORE, OPPOSITE };
@@ -65,6 +71,7 @@ struct block {
     const struct valence *v;
     struct span m;
     bool plain, real;                              /* m = 0; m >= 1 in real form */
+    bool has_y;                                    /* m >= 1, or set: y is used, too */
     struct affine turn[4], back[4], u;             /* T, T^-1 */
     struct block_rule *rule[MAX_STEPS];            /* as in v->step[].rule */
     int rings;                                     /* R */

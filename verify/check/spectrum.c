@@ -4,144 +4,10 @@
 
 #include "answer.h"
 
-enum { INVERSE_BITS = 32, MAX_MAGNITUDE_BITS = 64 };
+enum { MAX_MAGNITUDE_BITS = 64 };
 
-interval spectrum_add_product(interval sum, interval x, interval y, int g)
-{
-    integer_count_work(0, 0);
-    if (interval_is_zero(x) || interval_is_zero(y))
-        return sum;
-    return interval_add(sum, grid_mul(x, y, g));
-}
-
-/* The eigenpair
- * ------------- */
-
-static interval box_round(integer centre, integer radius)
-{
-    return interval_of(integer_sub(centre, radius), integer_add(centre, radius));
-}
-
-static bool is_fixed(const struct krawczyk *s, int i)
-{
-    return i == s->pivot || (!s->real && i == s->pivot + s->n);
-}
-
-/* (J x)_i: J (Re, Im) = (-Im, Re) */
-static interval turned(const struct krawczyk *s, const interval *x, int i)
-{
-    return i < s->n ? interval_minus(x[i + s->n]) : x[i - s->n];
-}
-
-static void read_choices(struct krawczyk *s, const struct choices *c, integer radius)
-{
-    size_t size = (size_t)s->size;
-
-    s->mid = allocate(size, sizeof s->mid[0]);
-    s->box = allocate(size, sizeof s->box[0]);
-    s->f = allocate(size, sizeof s->f[0]);
-    s->slope = allocate(size * size, sizeof s->slope[0]);
-    s->inverse = allocate(size * size, sizeof s->inverse[0]);
-
-    for (int i = 0; i < 2; i++) {
-        s->l_mid[i] = interval_thin(c->eigenvalue[i]);
-        s->l_box[i] = box_round(c->eigenvalue[i], radius);
-    }
-    for (int i = 0, other = 0; i < s->size; i++) {
-        if (is_fixed(s, i)) {
-            s->mid[i] = s->box[i] = grid_from(i == s->pivot ? 1 : 0, s->g);
-        } else {
-            s->mid[i] = interval_thin(c->eigenvector[other]);
-            s->box[i] = box_round(c->eigenvector[other++], radius);
-        }
-    }
-    for (size_t i = 0; i < size * size; i++)       /* exact, since g >= 64 */
-        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i],
-                                                         s->g - INVERSE_BITS));
-}
-
-/* f = M x~ - L~ x~ */
-static void compute_residual(struct krawczyk *s)
-{
-    for (int i = 0; i < s->size; i++) {
-        struct mark mark = scratch_mark();
-        interval sum = grid_from(0, s->g);
-
-        for (int j = 0; j < s->size; j++)
-            sum = spectrum_add_product(sum, s->m[i * s->size + j], s->mid[j], s->g);
-        sum = interval_sub(sum, grid_mul(s->l_mid[0], s->mid[i], s->g));
-        if (!s->real)
-            sum = interval_sub(sum, grid_mul(s->l_mid[1], turned(s, s->mid, i), s->g));
-        interval_keep(mark, &sum, 1);
-        s->f[i] = sum;
-    }
-}
-
-/* G: columns for the unknowns x_j, then for L. */
-static void compute_slope(struct krawczyk *s)
-{
-    for (int i = 0; i < s->size; i++) {
-        interval *out = &s->slope[i * s->size];
-
-        for (int j = 0; j < s->size; j++) {
-            interval entry = s->m[i * s->size + j];
-
-            if (is_fixed(s, j))
-                continue;
-            if (i == j)
-                entry = interval_sub(entry, s->l_box[0]);
-            if (!s->real && i == j + s->n)         /* J e_j = e_i */
-                entry = interval_sub(entry, s->l_box[1]);
-            if (!s->real && i == j - s->n)         /* J e_j = -e_i */
-                entry = interval_add(entry, s->l_box[1]);
-            *out++ = entry;
-        }
-        *out++ = interval_minus(s->box[i]);
-        if (!s->real)
-            *out = interval_minus(turned(s, s->box, i));
-    }
-}
-
-/* K_i = - sum_l Y_il f_l + sum_l (delta_il - sum_q Y_iq G_ql) [-rho, rho] */
-static interval compute_image(const struct krawczyk *s, int i, interval box)
-{
-    int size = s->size;
-    const interval *y = &s->inverse[i * size];
-    interval out = grid_from(0, s->g);
-
-    for (int l = 0; l < size; l++)
-        out = spectrum_add_product(out, y[l], s->f[l], s->g);
-    out = interval_minus(out);
-    for (int l = 0; l < size; l++) {
-        struct mark mark = scratch_mark();
-        interval sum = grid_from(0, s->g);
-
-        for (int q = 0; q < size; q++)
-            sum = spectrum_add_product(sum, y[q], s->slope[q * size + l], s->g);
-        sum = interval_sub(grid_from(i == l ? 1 : 0, s->g), sum);
-        out = interval_add(out, grid_mul(sum, box, s->g));
-        interval_keep(mark, &out, 1);
-    }
-    return out;
-}
-
-static void prove_inclusion(const struct krawczyk *s, integer radius, const char *file,
-                            int line, const char *name)
-{
-    interval box = interval_of(integer_negate(radius), radius);
-
-    for (int i = 0; i < s->size; i++) {
-        struct mark mark = scratch_mark();
-        interval image = compute_image(s, i, box);
-
-        if (integer_compare(image.lo, box.lo) <= 0 ||
-            integer_compare(image.hi, box.hi) >= 0)
-            rejected(file, line,
-                     "%s: the Krawczyk operator does not map the box into "
-                     "its interior (component %d)", name, i + 1);
-        scratch_release(mark);
-    }
-}
+/* The eigenvalue
+ * -------------- */
 
 /* In units of 2^-g: 2^g / (a 2^-g). */
 interval spectrum_inverse_upper(integer a, int g)
@@ -150,100 +16,45 @@ interval spectrum_inverse_upper(integer a, int g)
         integer_shift_left(integer_from(1), 2L * g), a));
 }
 
-static noreturn void reject_small(const struct certificate *c)
-{
-    rejected(c->file, c->pair.line_of.eigenvalue,
-             "eigenvalue: |L| is not proved to be larger than 1");
-}
-
-/* L < 0 for refutations only, but those by a fold. */
-interval spectrum_prove_size(interval l, int g, const struct certificate *c)
-{
-    integer one = grid_from(1, g).lo;
-
-    if (c->reason == REASON_NOT_C0) {
-        if (integer_compare(l.lo, one) <= 0 && integer_compare(interval_minus(l).lo, one) <= 0)
-            reject_small(c);
-        return grid_from(0, g);
-    }
-    if ((c->reason == REASON_FREQUENCY || c->reason == REASON_REAL) && l.hi.sign < 0)
-        l = interval_minus(l);
-    if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
-        rejected(c->file, c->pair.line_of.eigenvalue,
-                 "eigenvalue: its interval is not inside (0,1)");
-    return spectrum_inverse_upper(l.lo, g);
-}
-
 /* |L|^2 */
-static interval squared_modulus(const struct krawczyk *s)
+static interval squared_modulus(const struct eigenpair *pair, int g)
 {
-    return interval_add(grid_mul(s->l_box[0], s->l_box[0], s->g),
-                        grid_mul(s->l_box[1], s->l_box[1], s->g));
+    return affine_range(pair_norm((struct pair) { pair->real, pair->imaginary }, g));
 }
 
-/* 0 < ell < |L|, q = |L|^2 */
-static void check_modulus(const struct krawczyk *s, const struct certificate *c, interval q)
+/* s for 0 < ell < |L|. */
+static interval inverse_modulus(const struct eigenpair *pair, const struct certificate *c)
 {
-    interval ell = interval_thin(c->pair.modulus);
+    interval ell = interval_thin(pair->choices->modulus), q = squared_modulus(pair, c->grid);
 
     if (!interval_is_positive(ell) ||
-        !interval_is_positive(interval_sub(q, grid_mul(ell, ell, s->g))))
-        rejected(c->file, c->pair.line_of.modulus,
+        !interval_is_positive(interval_sub(q, grid_mul(ell, ell, c->grid))))
+        rejected(c->file, pair->choices->line_of.modulus,
                  "modulus: it is not positive, or not proved to be smaller than |L|");
+    return spectrum_inverse_upper(ell.lo, c->grid);
 }
 
-static interval prove_complex_size(const struct krawczyk *s, const struct certificate *c)
+/* L < 0 for refutations only, but those by a fold.  Complex form: |L|^2 in place of L. */
+void spectrum_prove_size(struct eigenpair *pair, const struct certificate *c)
 {
-    interval q = squared_modulus(s);
-    integer one = grid_from(1, s->g).lo;
+    interval l = c->real ? affine_range(pair->real) : squared_modulus(pair, c->grid);
+    integer one = grid_from(1, c->grid).lo;
+    int line = pair->choices->line_of.eigenvalue;
 
-    check_modulus(s, c, q);
-    if (c->reason == REASON_NOT_C0) {
-        if (integer_compare(q.lo, one) <= 0)
-            reject_small(c);
-        return grid_from(0, s->g);
-    }
-    if (integer_compare(q.hi, one) >= 0)
-        rejected(c->file, c->pair.line_of.eigenvalue, "eigenvalue: |L| is not proved to be "
-                 "smaller than 1");
-    return spectrum_inverse_upper(c->pair.modulus, s->g);
-}
-
-struct krawczyk spectrum_prove_inclusion(const interval *matrix, int g,
-                                         const struct choices *choices, bool range,
-                                         const struct certificate *c)
-{
-    integer radius = range ? choices->range : choices->radius;
-    struct krawczyk s = { .g = g, .n = c->n, .size = c->size, .pivot = choices->pivot - 1,
-                          .real = c->real, .m = matrix };
-
-    if (radius.sign <= 0)
-        rejected(c->file, choices->line_of.radius, "radius: it is not positive");
-    if (choices->pivot < 1 || choices->pivot > s.n)
-        rejected(c->file, choices->line_of.pivot,
-                 "pivot: it is not the index of one of the %d unknowns", s.n);
-    read_choices(&s, choices, radius);
-    compute_residual(&s);
-    compute_slope(&s);
-    prove_inclusion(&s, radius, c->file,
-                    range ? choices->line_of.range : choices->line_of.radius,
-                    range ? "range" : "radius");
-    return s;
-}
-
-struct eigenpair spectrum_prove_eigenpair(const interval *matrix, int g,
-                                          const struct certificate *c)
-{
-    struct krawczyk s = spectrum_prove_inclusion(matrix, g, &c->pair, false, c);
-    struct eigenpair out;
-
-    out.s = s.real ? spectrum_prove_size(s.l_box[0], g, c) : prove_complex_size(&s, c);
-    out.unknowns = allocate((size_t)s.size, sizeof out.unknowns[0]);
-    for (int i = 0; i < s.size; i++)
-        out.unknowns[i] = affine_from(s.box[i]);
-    out.real = affine_from(s.l_box[0]);
-    out.imaginary = s.real ? affine_from_whole(0, g) : affine_from(s.l_box[1]);
-    return out;
+    if (!c->real)
+        pair->s = inverse_modulus(pair, c);
+    if (c->reason != REASON_NONE && c->reason != REASON_FOLD && l.hi.sign < 0)
+        l = interval_minus(l);
+    if (c->reason == REASON_NOT_C0 && integer_compare(l.lo, one) <= 0)
+        rejected(c->file, line, "eigenvalue: |L| is not proved to be larger than 1");
+    if (c->reason == REASON_NOT_C0)
+        return;
+    if (!c->real && integer_compare(l.hi, one) >= 0)
+        rejected(c->file, line, "eigenvalue: |L| is not proved to be smaller than 1");
+    if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
+        rejected(c->file, line, "eigenvalue: its interval is not inside (0,1)");
+    if (c->real)
+        pair->s = spectrum_inverse_upper(l.lo, c->grid);
 }
 
 /* The plain form
@@ -259,59 +70,52 @@ struct affine *spectrum_without_constants(const struct affine *b, int n)
     return out;
 }
 
-/* x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
-struct affine *spectrum_with_constants(const struct affine *y, struct affine l,
-                                       const struct affine *b, int n, int g)
+/* sum of B_pj y_j */
+static struct affine constant_row(const struct affine *b, const struct affine *y, int n, int g)
 {
-    struct affine *out = allocate((size_t)n, sizeof out[0]), sum = affine_from_whole(0, g);
+    struct affine sum = affine_from_whole(0, g);
 
     for (int j = 1; j < n; j++)
         sum = affine_add(sum, affine_mul(b[j], y[j - 1], g));
-    out[0] = affine_div(sum, affine_sub(l, affine_from_whole(1, g)), g);
-    for (int i = 1; i < n; i++)
-        out[i] = affine_add(y[i - 1], out[0]);
+    return sum;
+}
+
+/* x_p = (sum of B_pj y_j)/(L - 1), x_i = y_i + x_p. */
+void spectrum_add_constants(struct eigenpair *pair, const struct affine *b, int n, bool complex,
+                            const struct certificate *c)
+{
+    int parts = complex ? 2 : 1, g = c->grid;
+    struct affine *out = allocate((size_t)(parts * n), sizeof out[0]), x[2];
+    const struct affine *y = pair->unknowns;
+    struct pair l = { affine_sub(pair->real, affine_from_whole(1, g)), pair->imaginary };
+    struct pair p;
+
+    for (int part = 0; part < parts; part++)
+        x[part] = constant_row(b, &y[part * (n - 1)], n, g);
+    if (complex && !affine_is_positive(pair_norm(l, g)))
+        rejected(c->file, pair->choices->line_of.eigenvalue, "eigenvalue: it is too near to 1");
+    p = complex ? pair_divide((struct pair) { x[0], x[1] }, l, g)
+                : (struct pair) { affine_div(x[0], l.x, g), l.y };
+    for (int part = 0; part < parts; part++) {
+        out[part * n] = part == 0 ? p.x : p.y;
+        for (int i = 1; i < n; i++)
+            out[part * n + i] = affine_add(y[part * (n - 1) + i - 1], out[part * n]);
+    }
+    pair->unknowns = out;
+}
+
+struct affine *spectrum_doubled(const struct affine *a, int n)
+{
+    struct affine *out = allocate((size_t)(4 * n) * (size_t)n, sizeof out[0]);
+
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            out[i * 2 * n + j] = out[(i + n) * 2 * n + j + n] = a[i * n + j];
     return out;
 }
 
 /* The rest
  * -------- */
-
-/* M': what is left of the block beside its known eigenvalue, if it has one: 1, or L.
- * size: in that of M, out that of M'. */
-static interval *deflate(int *size, const interval *m, int g, const struct eigenpair *pair,
-                         const struct block_record *record, const struct certificate *c)
-{
-    bool has_l = record->m.first == c->frequency, has_one = record->m.first == 0 && !has_l;
-    bool complex = has_l && !c->real;
-    int full = *size, pivot = has_l ? c->pair.pivot - 1 : 0;
-    interval *out = allocate((size_t)full * (size_t)full, sizeof out[0]), *next = out;
-
-    if (has_l || has_one)
-        *size = full - (complex ? 2 : 1);
-    for (int i = 0; i < full; i++) {
-        for (int j = 0; j < full; j++) {
-            interval entry = m[i * full + j];
-
-            if ((has_l || has_one) && (i == pivot || j == pivot))
-                continue;
-            if (complex && (i == pivot + c->n || j == pivot + c->n))
-                continue;
-            if (has_one)                           /* its eigenvector is 1, 1, 1 ... */
-                entry = interval_sub(entry, m[pivot * full + j]);
-            if (has_l)
-                entry = interval_sub(entry, grid_mul(pair->unknowns[i].c,
-                                                     m[pivot * full + j], g));
-            if (complex) {                         /* minus (J X)_i M_(p+n)j */
-                interval jx = i < c->n ? interval_minus(pair->unknowns[i + c->n].c)
-                                       : pair->unknowns[i - c->n].c;
-
-                entry = interval_sub(entry, grid_mul(jx, m[(pivot + c->n) * full + j], g));
-            }
-            *next++ = entry;
-        }
-    }
-    return out;
-}
 
 static bool has_large_entry(const interval *c, int size, int g)
 {
@@ -378,13 +182,99 @@ void spectrum_prove_small(interval *c, int size, int g, interval s,
                  "smaller than L", name, (long long)record->m.first);
 }
 
-void spectrum_prove_rest(const interval *matrix, int size, int g,
-                         const struct eigenpair *pair,
-                         const struct block_record *record,
-                         const struct certificate *certificate)
-{
-    interval *c = deflate(&size, matrix, g, pair, record, certificate);
+/* What is known of a matrix: vectors that span what it maps to itself, each with an unknown where
+ * it is 1 and the other one 0. */
+struct subspace {
+    int count;
+    const struct affine *vector[2];
+    int pivot[2];
+};
 
-    spectrum_prove_small(c, size, g, pair->s, record,
-                         certificate->version == 0 ? "power" : "block", certificate->file);
+/* What the first rows and columns of a matrix, `size` of its `full` ones, do modulo the subspace passes:
+ * M'_ij = M_ij - v_i M_pj - w_i M_qj, i and j other than p and q. */
+static void prove_modulo(const struct affine *m, int full, int size, const struct subspace *space,
+                         interval s, const struct block_record *record, const char *name,
+                         const struct certificate *c)
+{
+    interval *out = allocate((size_t)size * (size_t)size, sizeof out[0]), *next = out;
+    int p = space->count > 0 ? space->pivot[0] : -1, q = space->count > 1 ? space->pivot[1] : -1;
+
+    for (int i = 0; i < size; i++) {
+        for (int j = 0; j < size; j++) {
+            struct affine entry = m[i * full + j];
+
+            if (i == p || i == q || j == p || j == q)
+                continue;
+            for (int n = 0; n < space->count; n++)
+                entry = affine_sub(entry, affine_mul(space->vector[n][i],
+                                                     m[space->pivot[n] * full + j], c->grid));
+            *next++ = affine_range(entry);
+        }
+    }
+    spectrum_prove_small(out, size - space->count, c->grid, s, record, name, c->file);
+}
+
+void spectrum_prove_block(const struct block *block, interval s, const struct block_record *record,
+                          const char *name, const struct certificate *c)
+{
+    struct affine *ones = allocate((size_t)block->n, sizeof ones[0]);
+    struct subspace space = { block->plain ? 1 : 0, { ones, NULL }, { 0, 0 } };
+
+    for (int i = 0; i < block->n; i++)
+        ones[i] = affine_from_whole(1, c->grid);
+    prove_modulo(block_matrix(block), block->size, block->size, &space, s, record, name, c);
+}
+
+static integer mid_size(struct affine x)
+{
+    return integer_absolute(interval_mid(x.c));
+}
+
+/* The plane of x and y, x + i y belonging to a pair l, conj l of a real block of order n: a basis
+ * f, g of it with f_p = g_q = 1, f_q = g_p = 0. */
+static struct subspace real_plane(const struct eigenpair *pair, const struct certificate *c)
+{
+    int n = c->n, q = 0, g = c->grid;
+    const struct affine *x = pair->unknowns, *y = &x[n];
+    struct affine *f_of = allocate((size_t)n, sizeof f_of[0]);
+    struct affine *g_of = allocate((size_t)n, sizeof g_of[0]);
+
+    if (interval_contains_zero(affine_range(pair->imaginary)))
+        rejected(c->file, pair->choices->line_of.eigenvalue, "eigenvalue: it may be real");
+    for (int i = 1; i < n; i++)
+        if (integer_compare(mid_size(y[i]), mid_size(y[q])) > 0)
+            q = i;
+    if (interval_contains_zero(affine_range(y[q])))
+        rejected(c->file, pair->choices->line_of.pivot, "pivot: no second one can be found");
+    for (int i = 0; i < n; i++) {
+        g_of[i] = affine_div(y[i], y[q], g);
+        f_of[i] = affine_sub(x[i], affine_mul(x[q], g_of[i], g));
+    }
+    return (struct subspace) { 2, { f_of, g_of }, { pair->choices->pivot - 1, q } };
+}
+
+/* That of X and J X. */
+static struct subspace complex_line(const struct eigenpair *pair, const struct certificate *c)
+{
+    int n = c->n, p = pair->choices->pivot - 1;
+    struct affine *turned = allocate(2 * (size_t)n, sizeof turned[0]);
+
+    for (int i = 0; i < n; i++) {
+        turned[i] = affine_minus(pair->unknowns[i + n]);
+        turned[i + n] = pair->unknowns[i];
+    }
+    return (struct subspace) { 2, { pair->unknowns, turned }, { p, p + n } };
+}
+
+void spectrum_prove_rest(const struct eigenpair *pair, const struct block_record *record,
+                         const char *name, const struct certificate *c)
+{
+    bool of_reals = !c->real && (c->frequency == 0 || 2 * c->frequency == c->valence.first);
+    struct subspace space = { 1, { pair->unknowns, NULL }, { pair->choices->pivot - 1, 0 } };
+
+    if (of_reals)
+        space = real_plane(pair, c);
+    else if (!c->real)
+        space = complex_line(pair, c);
+    prove_modulo(pair->matrix, c->size, of_reals ? c->n : c->size, &space, pair->s, record, name, c);
 }

@@ -13,8 +13,8 @@ static const struct label direction[3] = { { 1, 0 }, { 0, 1 }, { 1, -1 } };
 bool spline_find(struct spline *out, const struct mask *mask, enum mesh mesh)
 {
     struct mask rest = *mask, quotient;
-    int total = 0, points = 0;
-    integer coefficient;
+    struct points left;
+    int total = 0;
 
     out->c = (struct label) { 0, 0 };
     for (int i = 0; i < 3; i++) {
@@ -30,17 +30,12 @@ bool spline_find(struct spline *out, const struct mask *mask, enum mesh mesh)
         }
         total += out->m[i];
     }
-    for (int i = 0; i < rest.side_a * rest.side_b; i++) {
-        if (rest.coefficient[i].sign == 0)
-            continue;
-        coefficient = rest.coefficient[i];
-        out->c.a += i / rest.side_b + rest.low_a;
-        out->c.b += i % rest.side_b + rest.low_b;
-        points++;
-    }
-    if (points != 1 || integer_compare(integer_shift_left(coefficient, total),
-                                       integer_shift_left(rest.denominator, 2)) != 0)
+    left = mask_points(&rest);
+    if (left.count != 1 || integer_compare(integer_shift_left(left.point->weight, total),
+                                           integer_shift_left(rest.denominator, 2)) != 0)
         return false;
+    out->c.a += left.point->a;
+    out->c.b += left.point->b;
     return mesh == TRIANGLE ? total <= MAX_TRIANGLE
                             : out->m[0] <= MAX_QUAD && out->m[1] <= MAX_QUAD;
 }

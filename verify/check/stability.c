@@ -7,7 +7,7 @@
  * so from -max(u, 0) to max(-l, 0).
  */
 
-#include "stability.h"
+#include "regular.h"
 
 #include "answer.h"
 
@@ -18,12 +18,10 @@ enum { WEIGHT_BITS = 18, ROW_BITS = 30, UNIT = 1024 };
 static const int64_t MAX_SUM = INT64_C(1) << 62;
 static const int64_t MAX_PAIRS = 80000000;
 
-/* The points of the mask, weights in units of 2^-18 rounded down. */
+/* The points of the mask, and their weights in units of 2^-18 rounded down. */
 struct rounded {
-    int count;
-    int *a, *b;
+    struct points p;
     int64_t *weight;
-    int low[3], high[3];                           /* of a, b, a + b */
     int64_t greatest_sum;                          /* S: of |weight| in a class */
     int inexact;                                   /* w: most such in a class */
 };
@@ -36,48 +34,29 @@ struct rows {
     int64_t error, bound;                          /* E, R */
 };
 
-static void add_point(struct rounded *out, int a, int b, int64_t weight)
+static int64_t magnitude(int64_t a)
 {
-    const int f[3] = { a, b, a + b };
-
-    for (int i = 0; i < 3; i++) {
-        if (out->count == 0 || f[i] < out->low[i])
-            out->low[i] = f[i];
-        if (out->count == 0 || f[i] > out->high[i])
-            out->high[i] = f[i];
-    }
-    out->a[out->count] = a;
-    out->b[out->count] = b;
-    out->weight[out->count++] = weight;
+    return a < 0 ? -a : a;
 }
 
 static struct rounded round_mask(const struct mask *mask)
 {
-    size_t cells = (size_t)mask->side_a * (size_t)mask->side_b;
-    struct rounded out = { .a = allocate(cells, sizeof out.a[0]),
-                           .b = allocate(cells, sizeof out.b[0]),
-                           .weight = allocate(cells, sizeof out.weight[0]) };
+    struct rounded out = { .p = mask_points(mask) };
     int64_t sum[4] = { 0 };
     int inexact[4] = { 0 };
 
-    for (size_t i = 0; i < cells; i++) {
-        int a = (int)i / mask->side_b + mask->low_a;
-        int b = (int)i % mask->side_b + mask->low_b;
-        int class = abs(a) % 2 * 2 + abs(b) % 2;
-        integer scaled = integer_shift_left(mask->coefficient[i], WEIGHT_BITS);
+    out.weight = allocate((size_t)out.p.count, sizeof out.weight[0]);
+    for (int i = 0; i < out.p.count; i++) {
+        const struct point *x = &out.p.point[i];
+        int class = abs(x->a) % 2 * 2 + abs(x->b) % 2;
+        integer scaled = integer_shift_left(x->weight, WEIGHT_BITS);
         integer whole = integer_divide_floor(scaled, mask->denominator);
-        int64_t weight;
 
-        if (scaled.sign == 0)
-            continue;
-        if (!integer_get_small(&weight, whole, INT64_C(1) << 40))
+        if (!integer_get_small(&out.weight[i], whole, INT64_C(1) << 40))
             cannot_check("a mask has weights that are too large for its stability");
         if (integer_compare(integer_mul(whole, mask->denominator), scaled) != 0)
             inexact[class]++;
-        sum[class] += weight < 0 ? -weight : weight;
-        add_point(&out, a, b, weight);
-    }
-    for (int class = 0; class < 4; class++) {
+        sum[class] += magnitude(out.weight[i]);
         if (sum[class] > out.greatest_sum)
             out.greatest_sum = sum[class];
         if (inexact[class] > out.inexact)
@@ -107,8 +86,8 @@ static int split(int *t, int x, int n)
 
 static struct rows rows_new(const struct rounded *s, int n)
 {
-    int low_a = s->high[0] > 0 ? -s->high[0] : 0, low_b = s->high[1] > 0 ? -s->high[1] : 0;
-    int high_a = s->low[0] < 0 ? -s->low[0] : 0, high_b = s->low[1] < 0 ? -s->low[1] : 0;
+    int low_a = s->p.high[0] > 0 ? -s->p.high[0] : 0, low_b = s->p.high[1] > 0 ? -s->p.high[1] : 0;
+    int high_a = s->p.low[0] < 0 ? -s->p.low[0] : 0, high_b = s->p.low[1] < 0 ? -s->p.low[1] : 0;
     struct rows out = { .n = n, .low_a = low_a, .low_b = low_b,
                         .side_a = high_a - low_a + 1, .side_b = high_b - low_b + 1 };
 
@@ -163,17 +142,19 @@ static struct rows next_rows(const struct rows *old, const struct rounded *s)
         for (int b = 0; b < 1 << out.n; b++) {
             int64_t *m = row(&out, a, b);
 
-            for (int i = 0; i < s->count; i++)
-                if ((a - s->a[i]) % 2 == 0 && (b - s->b[i]) % 2 == 0)
-                    add_row(m, &out, old, (a - s->a[i]) / 2, (b - s->b[i]) / 2,
-                            s->weight[i]);
+            for (int i = 0; i < s->p.count; i++) {
+                int x = a - s->p.point[i].a, y = b - s->p.point[i].b;
+
+                if (x % 2 == 0 && y % 2 == 0)
+                    add_row(m, &out, old, x / 2, y / 2, s->weight[i]);
+            }
             lost = truncate_row(m, out.side_a * out.side_b) || lost;
         }
     }
     out.error = (s->inexact * (old->bound + old->error) + s->greatest_sum * old->error +
                  unit - 1) / unit;
     if (lost)
-        out.error += (int64_t)(s->high[0] - s->low[0] + 1) * (s->high[1] - s->low[1] + 1);
+        out.error += (int64_t)(s->p.high[0] - s->p.low[0] + 1) * (s->p.high[1] - s->p.low[1] + 1);
     out.bound = old->bound * s->greatest_sum / unit + 1;
     return out;
 }
@@ -182,9 +163,9 @@ static struct rows next_rows(const struct rows *old, const struct rounded *s)
  * -----------
  *
  * Two labels x and x' are good if |m_x - m_x'| and h(x, x') = |(1024+T) m_x - (T-1024) m_x'|
- * are not too large.  From x' to x" the latter changes by at most (T-1024) |m_x' - m_x"|,
- * and rows of near labels are much the same: one sum that stays well below its limit settles
- * a whole box of labels x'.  Nothing else has to be said of their differences, because
+ * are not too large.  From x' to x' + e_2 the latter changes by at most (T-1024) times the
+ * largest |m_y - m_(y + e_2)|: one sum that stays well below its limit settles several x'.
+ * Nothing else has to be said of their differences, because
  * 2 T |m_x - m_x'| <= h(x, x') + h(x', x), and the pairs come in both orders.
  */
 
@@ -193,18 +174,8 @@ struct close_pairs {
     int64_t t;
     int most_a, most_b, most_sum;                  /* |d1|, |d2|, |d1 + d2| of x' - x */
     int64_t *norm;                                 /* |m_x| */
-    int64_t *step[2];                              /* most |m_x' - m_(x'+e)| for such x' */
+    int64_t step;                                  /* most |m_y - m_(y + e_2)| */
 };
-
-/* The displacements d with low <= d <= high in each coordinate. */
-struct box {
-    int low_a, high_a, low_b, high_b;
-};
-
-static int64_t magnitude(int64_t a)
-{
-    return a < 0 ? -a : a;
-}
 
 /* |p m_x - q m_x'|, p, q > 0, for x = (a,b) and x' = x + (da,db): the sum of both norms, but
  * for the entries that both have. */
@@ -230,79 +201,48 @@ static int64_t difference(const struct close_pairs *c, int a, int b, int da, int
     return sum;
 }
 
-/* The largest value within `most` places along an axis, stride apart, of the n x n table. */
-static void spread_most(int64_t *value, int n, int stride, int most)
-{
-    struct mark mark = scratch_mark();
-    int64_t *line = allocate((size_t)n, sizeof line[0]);
-
-    for (int i = 0; i < n; i++) {
-        int64_t *first = value + i * (stride == 1 ? n : 1);
-
-        for (int j = 0; j < n; j++)
-            line[j] = first[j * stride];
-        for (int j = 0; j < n; j++)
-            for (int d = -most; d <= most; d++)
-                if (line[(j + d) & (n - 1)] > first[j * stride])
-                    first[j * stride] = line[(j + d) & (n - 1)];
-    }
-    scratch_release(mark);
-}
-
 static void measure_rows(struct close_pairs *c)
 {
     int side = 1 << c->r->n, entries = c->r->side_a * c->r->side_b;
-    size_t count = (size_t)side * (size_t)side;
 
-    c->norm = allocate(count, sizeof c->norm[0]);
-    for (int i = 0; i < side * side; i++)
-        for (int j = 0; j < entries; j++)
-            c->norm[i] += magnitude(c->r->entry[i * entries + j]);
-    for (int axis = 0; axis < 2; axis++) {
-        c->step[axis] = allocate(count, sizeof c->step[axis][0]);
-        for (int i = 0; i < side * side; i++)
-            c->step[axis][i] = difference(c, i / side, i % side, axis == 0, axis == 1, 1, 1);
-        spread_most(c->step[axis], side, side, c->most_a);
-        spread_most(c->step[axis], side, 1, c->most_b);
+    c->norm = allocate((size_t)side * (size_t)side, sizeof c->norm[0]);
+    for (int i = 0; i < side * side * entries; i++)
+        c->norm[i / entries] += magnitude(c->r->entry[i]);
+    for (int x = 0; x < side * side; x++) {
+        int64_t step = difference(c, x / side, x % side, 0, 1, 1, 1);
+
+        c->step = step > c->step ? step : c->step;
     }
 }
 
-/* Are all close pairs x = (a,b), x + d with d in the box good?  If h is less than its limit
- * for all of them they are; single ones must be good. */
-static bool box_is_good(const struct close_pairs *c, int a, int b, struct box d)
+/* Are the close pairs x = (a,b), x + (da,db) good, for all db? */
+static bool line_is_good(const struct close_pairs *c, int a, int b, int da)
 {
-    int side_a = d.high_a - d.low_a, side_b = d.high_b - d.low_b;
-    int da = d.low_a + side_a / 2, db = d.low_b + side_b / 2, x = (a << c->r->n) + b;
-    int64_t unit = (INT64_C(1) << ROW_BITS) - c->r->error, room, change;
-    struct box lower = d, upper = d;
+    int64_t unit = (INT64_C(1) << ROW_BITS) - c->r->error;
 
-    if (d.low_a + d.low_b > c->most_sum || d.high_a + d.high_b < -c->most_sum)
-        return true;
-    room = 2 * c->t * unit - difference(c, a, b, da, db, UNIT + c->t, c->t - UNIT);
-    change = (side_a - side_a / 2) * c->step[0][x] + (side_b - side_b / 2) * c->step[1][x];
-    if (change < room / (c->t - UNIT))
-        return true;
-    if (side_a == 0 && side_b == 0)
-        return room >= 0 && difference(c, a, b, da, db, 1, 1) < 2 * unit;
-    if (side_a > side_b) {
-        lower.high_a = da;
-        upper.low_a = da + 1;
-    } else {
-        lower.high_b = db;
-        upper.low_b = db + 1;
+    for (int64_t db = -c->most_b; db <= c->most_b; db++) {
+        int64_t room;
+
+        if (da + db < -c->most_sum || da + db > c->most_sum)
+            continue;
+        room = 2 * c->t * unit - difference(c, a, b, da, (int)db, UNIT + c->t, c->t - UNIT);
+        if (room < 0 || (room == 0 && difference(c, a, b, da, (int)db, 1, 1) >= 2 * unit))
+            return false;
+        if (room > 0)                              /* so many more have room > 0 */
+            db += (room - 1) / ((c->t - UNIT) * (c->step + 1));
     }
-    return box_is_good(c, a, b, lower) && box_is_good(c, a, b, upper);
+    return true;
 }
 
 static bool all_are_good(struct close_pairs *c)
 {
-    struct box all = { -c->most_a, c->most_a, -c->most_b, c->most_b };
     int side = 1 << c->r->n;
 
     measure_rows(c);
-    for (int i = 0; i < side * side; i++)
-        if (!box_is_good(c, i / side, i % side, all))
-            return false;
+    for (int x = 0; x < side * side; x++)
+        for (int da = -c->most_a; da <= c->most_a; da++)
+            if (!line_is_good(c, x / side, x % side, da))
+                return false;
     return true;
 }
 
@@ -317,9 +257,9 @@ bool stability_holds(const struct mask *mask, int n, int64_t t)
     struct mark mark = scratch_mark();
     struct rounded s = round_mask(mask);
     struct rows r = rows_new(&s, 0);
-    struct close_pairs close = { .r = &r, .t = t, .most_a = s.high[0] - s.low[0] - 1,
-                                 .most_b = s.high[1] - s.low[1] - 1,
-                                 .most_sum = s.high[2] - s.low[2] - 1 };
+    struct close_pairs close = { .r = &r, .t = t, .most_a = s.p.high[0] - s.p.low[0] - 1,
+                                 .most_b = s.p.high[1] - s.p.low[1] - 1,
+                                 .most_sum = s.p.high[2] - s.p.low[2] - 1 };
     bool good;
 
     if (n < 1 || n > 9 || t <= UNIT)

@@ -4,7 +4,7 @@
  * (a,b), b > 0, to that of (b,a) in the sector 0, but the rule of a point (a,0) to that of
  * (a,0) in the sector 1.  Below, sectors are counted from the rule's own one. */
 
-#include "symmetry.h"
+#include "scheme.h"
 
 enum { CONSTANT_GRID = 64 };
 
@@ -80,7 +80,7 @@ static bool is_monomial(const struct node *f, char join, struct value *constant,
         struct environment e = environment_plain(l, CONSTANT_GRID);
         struct value v = evaluate(f, &e);
 
-        value_apply(constant, join, &v, f, CONSTANT_GRID);
+        *constant = value_apply(*constant, join, v, f, CONSTANT_GRID);
         return true;
     }
     if (f->kind != NODE_PRODUCT || join != '*')

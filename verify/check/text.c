@@ -60,24 +60,12 @@ static bool is_digit(char c)
 /* The canonical text
  * ------------------ */
 
-static void check_bytes(const char *file, const char *text, size_t size)
+static void check_byte(const char *file, int line, int column, char c)
 {
-    int line = 1;
-    int column = 1;
-
-    for (size_t i = 0; i < size; i++, column++) {
-        unsigned char byte = (unsigned char)text[i];
-
-        if (byte == '\n') {
-            line++;
-            column = 0;
-        } else if ((byte < 32 || byte > 126) && !is_blank(text[i])) {
-            cannot_check_at(file, line, column, "expected printable ASCII text");
-        } else if (column > MAX_LINE) {
-            cannot_check_at(file, line, column,
-                            "expected a line of at most %d bytes", MAX_LINE);
-        }
-    }
+    if ((c < ' ' || c > '~') && !is_blank(c))
+        cannot_check_at(file, line, column, "expected printable ASCII text");
+    if (column > MAX_LINE)
+        cannot_check_at(file, line, column, "expected a line of at most %d bytes", MAX_LINE);
 }
 
 char *text_canonical(const char *file, const char *text, size_t size,
@@ -85,27 +73,29 @@ char *text_canonical(const char *file, const char *text, size_t size,
 {
     size_t used = 0, line_start = 0;
     bool in_comment = false, blank = false;
-    char *out;
+    int line = 1, column = 1;
+    char *out = allocate(size + 2, 1);
 
-    check_bytes(file, text, size);
-    out = allocate(size + 2, 1);
-    for (size_t i = 0; i <= size; i++) {
+    for (size_t i = 0; i <= size; i++, column++) {
         if (i == size || text[i] == '\n') {       /* the last LF may be missing */
             if (used > line_start)
                 out[used++] = '\n';
             line_start = used;
-            in_comment = false;
-            blank = false;
-        } else if (in_comment || text[i] == '#') {
-            in_comment = true;
-        } else if (is_blank(text[i])) {
-            blank = true;
-        } else {
-            if (blank && used > line_start)
-                out[used++] = ' ';
-            blank = false;
-            out[used++] = text[i];
+            in_comment = blank = false;
+            line++;
+            column = 0;
+            continue;
         }
+        check_byte(file, line, column, text[i]);
+        in_comment = in_comment || text[i] == '#';
+        if (in_comment || is_blank(text[i])) {
+            blank = true;
+            continue;
+        }
+        if (blank && used > line_start)
+            out[used++] = ' ';
+        blank = false;
+        out[used++] = text[i];
     }
     out[used] = '\0';
     *canonical_size = used;
@@ -124,12 +114,7 @@ static bool next_line(struct cursor *out, struct statements *s)
         return false;
     while (end < s->end && *end != '\n')
         end++;
-    s->line++;
-    out->file = s->file;
-    out->line = s->line;
-    out->begin = s->at;
-    out->at = s->at;
-    out->end = s->at;
+    *out = (struct cursor) { s->file, ++s->line, s->at, s->at, s->at };
     while (out->end < end && *out->end != '#')
         out->end++;
     s->at = end < s->end ? end + 1 : end;
@@ -151,14 +136,6 @@ void statements_next(struct cursor *out, struct statements *s,
         return;
     cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file",
                     expected);
-}
-
-void statements_end(struct statements *s)
-{
-    struct cursor c;
-
-    while (next_line(&c, s))
-        cursor_expect_end(&c);
 }
 
 /* Tokens
@@ -197,6 +174,22 @@ bool cursor_accept(struct cursor *c, char token)
     if (c->at == c->end || *c->at != token)
         return false;
     c->at++;
+    return true;
+}
+
+void cursor_expect(struct cursor *c, char token, const char *message)
+{
+    if (!cursor_accept(c, token))
+        cursor_error(c, message);
+}
+
+bool cursor_accept_text(struct cursor *c, const char *text)
+{
+    size_t length = strlen(text);
+
+    if ((size_t)(c->end - c->at) < length || memcmp(c->at, text, length) != 0)
+        return false;
+    c->at += length;
     return true;
 }
 

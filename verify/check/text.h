@@ -44,9 +44,6 @@ void statements_next(struct cursor *out, struct statements *s,
 /* The same, but false at the end of the file. */
 bool statements_more(struct cursor *out, struct statements *s);
 
-/* Anything more but comments and blanks: cannot check. */
-void statements_end(struct statements *s);
-
 /* "cannot check: FILE:LINE:COLUMN: ...", the column of the next token. */
 noreturn void cursor_error(const struct cursor *c, const char *message);
 
@@ -58,6 +55,12 @@ void cursor_expect_end(struct cursor *c);
 
 /* If the next token is this character: step over it. */
 bool cursor_accept(struct cursor *c, char token);
+
+/* The same; another token: cannot check. */
+void cursor_expect(struct cursor *c, char token, const char *message);
+
+/* If this text is at the cursor (without blanks before it): step over it. */
+bool cursor_accept_text(struct cursor *c, const char *text);
 
 /* If the next token is this word: step over it.  Words are lower-case letters,
  * behind the first also digits and `_`. */

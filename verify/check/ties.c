@@ -265,8 +265,7 @@ static void decide_line(const struct proof *p, const struct exact_line *l, int w
     };
 
     if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, block_matrix(block),
-                                                block->n, p->c->grid);
+        spectrum_add_constants(&pair, block_matrix(block), block->n, false, p->c);
     *own = *p->c;
     own->witness[0] = p->c->witness[witness];
     characteristic_prepare(characteristic, block, &pair, p->q, own);

@@ -11,7 +11,7 @@
  * positive distance from every grid number, so that this ends.
  */
 
-#include "trig.h"
+#include "grid.h"
 
 #include "answer.h"
 
@@ -174,12 +174,6 @@ interval grid_cos_pi(rational q, int g)
 }
 
 /* sin x = cos(pi/2 - x) */
-
-bool rational_sin_pi(rational *out, rational q)
-{
-    return rational_cos_pi(out, rational_sub(rational_from(1, 2), q));
-}
-
 interval grid_sin_pi(rational q, int g)
 {
     return grid_cos_pi(rational_sub(rational_from(1, 2), q), g);

@@ -3,7 +3,7 @@
 #include "valence.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 #include <string.h>
 
@@ -35,7 +35,7 @@ static struct value weigh_each(interval *out, const struct node *formula,
 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
         out[j] = value_enclose(w, v->g);
-        value_apply(&sum, '+', &w, NULL, v->g);
+        sum = value_apply(sum, '+', w, NULL, v->g);
 
         integer keep[4] = { out[j].lo, out[j].hi,
                             sum.kind == RATIONAL ? sum.q.num : sum.x.lo,
@@ -44,11 +44,19 @@ static struct value weigh_each(interval *out, const struct node *formula,
         integer_keep(mark, keep, 4);
         out[j] = (interval) { keep[0], keep[1] };
         if (sum.kind == RATIONAL)
-            sum.q = (rational) { keep[2], keep[3] };
+            sum.q = sum.q_last = (rational) { keep[2], keep[3] };
         else
             sum.x = (interval) { keep[2], keep[3] };
     }
     return sum;
+}
+
+static const struct value *keep_value(struct value v)
+{
+    struct value *out = allocate(1, sizeof *out);
+
+    *out = v;
+    return out;
 }
 
 /* The weights of the sources in order; at last the rest, 1 minus their sum. */
@@ -62,11 +70,12 @@ static void weigh(struct active_rule *out, const struct valence *v)
     struct value rest = value_from(rational_from(1, 1));
 
     out->weighted = allocate((size_t)rule->count, sizeof out->weighted[0]);
+    for (int i = 0; i < rule->count; i++)
+        out->weighted[i].source = &rule->source[i];
     for (int i = 0; i < rule->count; i++) {
         struct weighted *w = &out->weighted[i];
         struct value value;
 
-        w->source = &rule->source[i];
         if (i == rule->rest)
             continue;
         if (w->source->kind == SOURCE_EACH) {
@@ -80,12 +89,16 @@ static void weigh(struct active_rule *out, const struct valence *v)
         } else {
             value = evaluate(w->source->weight,
                              w->source->kind == SOURCE_SPECTRUM ? &zero : &plain);
+            if (rule->centre && span_is_several(v->k) && !value_is_bounded(&value)) {
+                out->missing = keep_value(value);
+                return;
+            }
             value_require(value, l, v->reference.file, v->reference.line);
         }
         w->weight = affine_from(value_enclose(value, v->g));
-        value_apply(&sum, '+', &value, NULL, v->g);
+        sum = value_apply(sum, '+', value, NULL, v->g);
     }
-    value_apply(&rest, '-', &sum, NULL, v->g);
+    rest = value_apply(rest, '-', sum, NULL, v->g);
     out->weighted[rule->rest].weight = affine_from(value_enclose(rest, v->g));
 }
 
@@ -190,6 +203,20 @@ bool valence_is_uniform(const struct valence *v)
         for (int n = 0; n < v->step[i].rules; n++)
             if (!rule_is_uniform(v->step[i].rule[n].rule))
                 return false;
+    return true;
+}
+
+bool valence_is_local(const struct valence *v)
+{
+    for (int i = 0; i < v->scheme->steps; i++) {
+        for (int n = 0; n < v->step[i].rules; n++) {
+            const struct rule *rule = v->step[i].rule[n].rule;
+
+            for (int s = 0; s < rule->count && !rule->centre; s++)
+                if (rule->source[s].kind != SOURCE_ONE && rule->source[s].kind != SOURCE_CENTRE)
+                    return false;
+        }
+    }
     return true;
 }
 

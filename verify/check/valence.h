@@ -26,6 +26,8 @@ struct weighted {
 struct active_rule {
     const struct rule *rule;
     struct weighted *weighted;                     /* one for each source */
+    const struct value *missing;                   /* of the centre, several valences: a weight
+                                                      that is not bounded there, or NULL */
 };
 
 struct active_step {
@@ -51,6 +53,9 @@ void valence_prepare(struct valence *out, const struct scheme *scheme,
 
 /* Does no weight, but of rules for the centre, depend on k or m? */
 bool valence_is_uniform(const struct valence *v);
+
+/* Has no rule, but for the centre, sources in all sectors? */
+bool valence_is_local(const struct valence *v);
 
 /* One valence, that of the plane: 6 on triangles, 4 on quads? */
 bool valence_is_regular(const struct valence *v);

@@ -7,7 +7,6 @@
 
 #include "answer.h"
 #include "limit.h"
-#include "slopes.h"
 
 enum { Q_BITS = 48 };
 
@@ -51,29 +50,6 @@ void valences_prepare_block(struct block *out, const struct valence *v, int64_t 
                           rational_from(m < 0 ? 1 : m, k.first), v->g));
 }
 
-/* The ranges of M_ij - x_i M_pj, i and j other than p. */
-static interval *deflate(const struct affine *m, int size, int pivot,
-                         const struct affine *x, int g)
-{
-    interval *out = allocate((size_t)size * (size_t)size, sizeof out[0]), *next = out;
-
-    for (int i = 0; i < size; i++)
-        for (int j = 0; j < size; j++)
-            if (i != pivot && j != pivot)
-                *next++ = affine_range(affine_sub(m[i * size + j],
-                              affine_mul(x[i], m[pivot * size + j], g)));
-    return out;
-}
-
-void valences_prove_deflated(const struct affine *matrix, const struct eigenpair *pair,
-                             int pivot, const struct block_record *record, const char *name,
-                             const struct certificate *c)
-{
-    interval *rest = deflate(matrix, c->size, pivot - 1, pair->unknowns, c->grid);
-
-    spectrum_prove_small(rest, c->size - 1, c->grid, pair->s, record, name, c->file);
-}
-
 /* Rise
  * ---- */
 
@@ -81,18 +57,16 @@ void valences_prove_deflated(const struct affine *matrix, const struct eigenpair
 static void prove_rise(const struct valence *v, int64_t q, const struct rise *rise,
                        const struct certificate *c)
 {
-    struct affine *matrix;
     struct eigenpair pair;
     struct block block;
 
     valences_block_between(&block, v, rise->record.m, q, rise->q, rise->record.line);
-    matrix = block_matrix(&block);
-    pair = slopes_prove_eigenpair(matrix, c->grid, &rise->pair, c);
+    pair = eigenpair_prove(block_matrix(&block), &rise->pair, c);
     if (!affine_is_positive(pair.real) || !interval_is_positive(pair.real.d))
         rejected(c->file, rise->pair.line_of.eigenvalue,
                  "eigenvalue: it is not proved to be positive and to rise");
     pair.s = spectrum_inverse_upper(affine_range(pair.real).lo, c->grid);
-    valences_prove_deflated(matrix, &pair, rise->pair.pivot, &rise->record, "rise", c);
+    spectrum_prove_rest(&pair, &rise->record, "rise", c);
 }
 
 /* Returns Q_n, or 0 where there is no group. */
@@ -179,9 +153,7 @@ void valences_prove_cover(const struct valence *v, const struct cover *cover, in
     struct block block;
 
     valences_block_between(&block, v, cover->record.m, q, cover->q, cover->record.line);
-    spectrum_prove_small(affine_ranges(block_matrix(&block),
-                                       (size_t)block.size * (size_t)block.size),
-                         block.size, c->grid, s, &cover->record, "cover", c->file);
+    spectrum_prove_block(&block, s, &cover->record, "cover", c);
     scratch_release(mark);
 }
 
@@ -208,43 +180,21 @@ static void prove_covers(const struct valence *v, int64_t rise, const struct eig
 /* All of it
  * --------- */
 
-void valences_prove_block_0(const struct valence *v, const struct eigenpair *pair,
-                            const struct certificate *c)
+void valences_prove_block_0(const struct valence *v, interval s, const struct certificate *c)
 {
     struct block block;
 
     block_prepare(&block, v, true, span_of(0));
-    spectrum_prove_rest(affine_constants(block_matrix(&block),
-                                         (size_t)block.size * (size_t)block.size),
-                        block.size, c->grid, pair, &c->block[0], c);
+    spectrum_prove_block(&block, s, &c->block[0], "block", c);
 }
 
-static void prove_rest(const struct block *block, const struct affine *matrix,
-                       const struct eigenpair *pair, const struct certificate *c)
+void valences_prove_rest(const struct valence *v, const struct eigenpair *pair,
+                         const struct certificate *c)
 {
-    const struct block_record *own = &c->block[c->frequency == 0 ? 0 : 1];
-
     if (c->has_limit)
-        limit_prove(block->v, pair, c);
+        limit_prove(v, pair, c);
     else if (c->frequency != 0)
-        valences_prove_block_0(block->v, pair, c);
-    valences_prove_deflated(matrix, pair, c->pair.pivot, own, "block", c);
-    prove_covers(block->v, prove_rises(block->v, c), pair, c);
-}
-
-struct eigenpair valences_prove_spectrum(const struct block *block,
-                                         const struct certificate *c)
-{
-    const struct affine *b = block_matrix(block), *matrix = b;
-    struct eigenpair pair;
-
-    if (block->plain)
-        matrix = spectrum_without_constants(b, block->n);
-    pair = slopes_prove_eigenpair(matrix, c->grid, &c->pair, c);
-    pair.s = spectrum_prove_size(affine_range(pair.real), c->grid, c);
-    if (c->reason != REASON_NOT_C0)
-        prove_rest(block, matrix, &pair, c);
-    if (block->plain)
-        pair.unknowns = spectrum_with_constants(pair.unknowns, pair.real, b, block->n, c->grid);
-    return pair;
+        valences_prove_block_0(v, pair->s, c);
+    spectrum_prove_rest(pair, &c->block[c->frequency == 0 ? 0 : 1], "block", c);
+    prove_covers(v, prove_rises(v, c), pair, c);
 }

@@ -11,10 +11,10 @@
 /* Block m, over all valences of v (m < 0: any other one but 0). */
 void valences_prepare_block(struct block *out, const struct valence *v, int64_t m);
 
-/* Proves the eigenpair of the block with a size that its reason needs (c1: 0 < L < 1), and
- * that all other eigenvalues but 1 are smaller than L in modulus; else rejects. */
-struct eigenpair valences_prove_spectrum(const struct block *block,
-                                         const struct certificate *certificate);
+/* Proves that all eigenvalues but 1 and that of the pair, of the certificate's frequency, are smaller
+ * than it in modulus; else rejects. */
+void valences_prove_rest(const struct valence *v, const struct eigenpair *pair,
+                         const struct certificate *certificate);
 
 /* The parts of it
  * --------------- */
@@ -26,14 +26,11 @@ int64_t valences_place(int64_t m, int64_t k, bool up);
 void valences_block_between(struct block *out, const struct valence *v, struct span m,
                             int64_t q, int64_t q_last, int line);
 
-/* What is left of a matrix beside its eigenpair, and of block 0 beside 1, passes. */
-void valences_prove_deflated(const struct affine *matrix, const struct eigenpair *pair,
-                             int pivot, const struct block_record *record, const char *name,
-                             const struct certificate *certificate);
-void valences_prove_block_0(const struct valence *v, const struct eigenpair *pair,
+/* What is left of block 0 beside 1 passes with s. */
+void valences_prove_block_0(const struct valence *v, interval s,
                             const struct certificate *certificate);
 
-/* All blocks of `cover`, from q on, pass with the s of the pair. */
+/* All blocks of `cover`, from q on, pass with s. */
 void valences_prove_cover(const struct valence *v, const struct cover *cover, int64_t q,
                           interval s, const struct certificate *certificate);
 

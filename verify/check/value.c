@@ -4,7 +4,7 @@
 #include "value.h"
 
 #include "answer.h"
-#include "trig.h"
+#include "grid.h"
 
 enum { MAX_EXPONENT = 16384,                       /* of bases that are not exact */
        MAX_RANGE_BITS = 4096 };                    /* of powers in ranges of m */
@@ -29,7 +29,7 @@ static bool is_unbounded(const struct value *v)
            (is_infinite(v->q) || is_infinite(v->q_last));
 }
 
-static struct value undefined(const struct node *at, const char *fault, bool open)
+struct value value_undefined(const struct node *at, const char *fault, bool open)
 {
     struct value out = { .kind = UNDEFINED, .at = at, .fault = fault, .open = open };
 
@@ -38,15 +38,7 @@ static struct value undefined(const struct node *at, const char *fault, bool ope
 
 struct value value_from(rational q)
 {
-    struct value out = { .kind = RATIONAL, .q = q };
-
-    return out;
-}
-
-/* An exact multiple of pi that may be 0. */
-static struct value angle(rational q)
-{
-    struct value out = { .kind = q.num.sign == 0 ? RATIONAL : ANGLE, .q = q };
+    struct value out = { .kind = RATIONAL, .q = q, .q_last = q };
 
     return out;
 }
@@ -58,30 +50,24 @@ struct value value_enclosure(interval x)
     return out;
 }
 
-void value_constant(struct value *out, const struct node *f)
+struct value value_constant(const struct node *f)
 {
-    *out = f->kind == NODE_PI ? angle(rational_from(1, 1)) : value_from(f->number);
+    struct value out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
+
+    out.kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
+    return out;
 }
 
-void value_variable(struct value *out, struct span span, bool divides,
-                    const struct node *at)
+struct value value_variable(struct span span, bool divides, const struct node *at)
 {
-    if (span.first < 0) {
-        *out = undefined(at, "k, m or j has no meaning here", false);
-        return;
-    }
-    *out = value_from(rational_from(span.first, 1));
-    if (!span_is_several(span))
-        return;
-    out->range = out->whole = true;
-    out->divides = divides;
-    out->q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
-}
+    struct value out = value_from(rational_from(span.first, 1));
 
-void value_undefine(struct value *out, const struct node *at, const char *fault,
-                    bool open)
-{
-    *out = undefined(at, fault, open);
+    if (span.first < 0)
+        return value_undefined(at, "k, m or j has no meaning here", false);
+    out.range = out.whole = span_is_several(span);
+    out.divides = divides && out.range;
+    out.q_last = span.last == ENDLESS ? infinite_end(1) : rational_from(span.last, 1);
+    return out;
 }
 
 static interval enclose_exact(rational q, bool angle, int g)
@@ -114,8 +100,13 @@ void value_keep(struct mark mark, struct value *v)
     } else {
         integer_keep(mark, part, v->range ? 4 : 2);
         v->q = (rational) { part[0], part[1] };
-        v->q_last = (rational) { part[2], part[3] };
+        v->q_last = v->range ? (rational) { part[2], part[3] } : v->q;
     }
+}
+
+bool value_is_bounded(const struct value *v)
+{
+    return v->kind != UNDEFINED && !is_unbounded(v);
 }
 
 void value_require(struct value v, const struct language *l, const char *certificate,
@@ -141,7 +132,7 @@ static struct value with_enclosures(struct value a, char operation, struct value
     interval x, y;
 
     if (is_unbounded(&a) || is_unbounded(&b))
-        return undefined(at, UNBOUNDED, true);
+        return value_undefined(at, UNBOUNDED, true);
     x = value_enclose(a, g);
     y = value_enclose(b, g);
     if (operation == '+')
@@ -151,15 +142,8 @@ static struct value with_enclosures(struct value a, char operation, struct value
     if (operation == '*')
         return value_enclosure(grid_mul(x, y, g));
     if (interval_contains_zero(y))
-        return undefined(at, "division by an enclosure of zero", !interval_is_zero(y));
+        return value_undefined(at, "division by an enclosure of zero", !interval_is_zero(y));
     return value_enclosure(grid_div(x, y, g));
-}
-
-static rational apply_exactly(rational a, char operation, rational b)
-{
-    return operation == '+' ? rational_add(a, b)
-         : operation == '-' ? rational_sub(a, b)
-         : operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
 }
 
 /* Ranges
@@ -168,27 +152,17 @@ static rational apply_exactly(rational a, char operation, rational b)
  * Sums of ends, low ones of low ones (never oo) and high ones of high ones (never -oo);
  * products and quotients, 0 * oo = 0 and a / oo = 0 for finite a. */
 
-static rational add_ends(rational a, rational b)
+static rational apply_to_ends(rational a, char operation, rational b)
 {
-    return is_infinite(a) ? a : is_infinite(b) ? b : rational_add(a, b);
-}
+    int sign = a.num.sign * b.num.sign;
 
-static rational multiply_ends(rational a, rational b)
-{
-    if (a.num.sign == 0 || b.num.sign == 0)
+    if (operation == '+')
+        return is_infinite(a) ? a : is_infinite(b) ? b : rational_add(a, b);
+    if (sign == 0 || (operation == '/' && is_infinite(b)))
         return rational_from(0, 1);
     if (is_infinite(a) || is_infinite(b))
-        return infinite_end(a.num.sign * b.num.sign);
-    return rational_mul(a, b);
-}
-
-static rational divide_ends(rational a, rational b)
-{
-    if (is_infinite(b))
-        return rational_from(0, 1);
-    if (is_infinite(a))
-        return infinite_end(a.num.sign * b.num.sign);
-    return rational_divide(a, b);
+        return infinite_end(sign);
+    return operation == '*' ? rational_mul(a, b) : rational_divide(a, b);
 }
 
 /* Not of two equal infinite ones. */
@@ -199,11 +173,6 @@ static int compare_ends(rational a, rational b)
     if (x == 0 && y == 0)
         return rational_compare(a, b);
     return (x > y) - (x < y);
-}
-
-static rational last_of(const struct value *v)
-{
-    return v->range ? v->q_last : v->q;
 }
 
 /* May it be divided by, and has it one sign? */
@@ -217,48 +186,49 @@ static bool is_whole(const struct value *v)
     return v->range ? v->whole : rational_is_whole(v->q);
 }
 
-static struct value apply_to_ranges(struct value a, char operation, struct value b,
-                                    enum value_kind kind, const struct node *at)
+static struct value apply_exactly(struct value a, char operation, struct value b,
+                                  enum value_kind kind, const struct node *at)
 {
-    struct value out = { .kind = kind, .range = true, .divides = a.divides || b.divides };
+    struct value out = { .kind = kind, .range = a.range || b.range,
+                         .divides = a.divides || b.divides };
 
     if (operation == '/' && is_unbounded(&a) && is_unbounded(&b))
-        return undefined(at, UNBOUNDED, true);
+        return value_undefined(at, UNBOUNDED, true);
     out.whole = operation != '/' && is_whole(&a) && is_whole(&b);
-    if (operation == '-')
-        value_negate(&b);
-    if (operation == '+' || operation == '-') {
-        out.q = add_ends(a.q, b.q);
-        out.q_last = add_ends(last_of(&a), last_of(&b));
-        return out;
+    if (operation == '-') {
+        b = value_negate(b);
+        operation = '+';
     }
-    for (int i = 0; i < 4; i++) {
-        rational x = i % 2 == 0 ? a.q : last_of(&a), y = i < 2 ? b.q : last_of(&b);
-        rational end = operation == '*' ? multiply_ends(x, y) : divide_ends(x, y);
+    out.q = out.q_last = apply_to_ends(a.q, operation, b.q);
+    if (out.range && operation == '+')
+        out.q_last = apply_to_ends(a.q_last, operation, b.q_last);
+    for (int i = 1; out.range && operation != '+' && i < 4; i++) {
+        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation,
+                                     i == 1 ? b.q : b.q_last);
 
-        if (i == 0 || compare_ends(end, out.q) < 0)
+        if (compare_ends(end, out.q) < 0)
             out.q = end;
-        if (i == 0 || compare_ends(end, out.q_last) > 0)
+        if (compare_ends(end, out.q_last) > 0)
             out.q_last = end;
     }
+    if (!out.range && out.q.num.sign == 0)         /* an angle is not 0 */
+        out.kind = RATIONAL;
     return out;
 }
 
-static struct value apply(struct value a, char operation, struct value b,
-                          const struct node *at, int g)
+struct value value_apply(struct value a, char operation, struct value b,
+                         const struct node *at, int g)
 {
     bool sum = operation == '+' || operation == '-';
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
     int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
-    enum value_kind kind;
-    struct value out;
 
     if (a.kind == UNDEFINED)
         return a;
     if (b.kind == UNDEFINED)
         return b;
     if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
-        return undefined(at, "division by zero", false);
+        return value_undefined(at, "division by zero", false);
 
     /* Exact: rational with rational; angle +- angle; angle times or divided
      * by a rational; angle / angle.  In ranges a factor varies at most. */
@@ -267,33 +237,21 @@ static struct value apply(struct value a, char operation, struct value b,
         (operation == '*' && a.range && b.range) ||
         (operation == '/' && b.range && !is_signed_range(&b)))
         return with_enclosures(a, operation, b, at, g);
-    kind = angles == 0 || (operation == '/' && angles == 2) ? RATIONAL : ANGLE;
-    if (a.range || b.range)
-        return apply_to_ranges(a, operation, b, kind, at);
-    out = angle(apply_exactly(a.q, operation, b.q));
-    if (kind == RATIONAL)
-        out.kind = RATIONAL;
-    return out;
+    return apply_exactly(a, operation, b, angles == 0 || (operation == '/' && angles == 2)
+                                          ? RATIONAL : ANGLE, at);
 }
 
-void value_apply(struct value *a, char operation, const struct value *b,
-                 const struct node *at, int g)
+struct value value_negate(struct value v)
 {
-    *a = apply(*a, operation, *b, at, g);
-}
+    rational low = v.q_last;
 
-void value_negate(struct value *v)
-{
-    if (v->kind == ENCLOSURE)
-        v->x = interval_minus(v->x);
-    else if (v->kind != UNDEFINED)
-        v->q = rational_negate(v->q);
-    if (v->kind != ENCLOSURE && v->kind != UNDEFINED && v->range) {
-        rational low = rational_negate(v->q_last);
-
-        v->q_last = v->q;
-        v->q = low;
-    }
+    if (v.kind == ENCLOSURE)
+        v.x = interval_minus(v.x);
+    if (v.kind == ENCLOSURE || v.kind == UNDEFINED)
+        return v;
+    v.q_last = rational_negate(v.q);
+    v.q = rational_negate(low);
+    return v;
 }
 
 /* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
@@ -347,18 +305,18 @@ static struct value power_of_range(struct value base, struct value exponent,
 
     if (base.kind != RATIONAL || base.range || base.q.num.sign <= 0 ||
         exponent.kind != RATIONAL || !exponent.whole)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (rational_equals(base.q, 1, 1))
         return value_from(one);
     if (rational_compare(base.q, one) < 0) {
         base.q = rational_divide(one, base.q);
-        value_negate(&exponent);
+        exponent = value_negate(exponent);
     }
     most = MAX_RANGE_BITS / (integer_bits(base.q.num) + integer_bits(base.q.den));
     if (!get_exponent(&low, exponent.q) || !get_exponent(&high, exponent.q_last))
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (most == 0 || high > most)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     return value_enclosure(interval_hull(low < -most ? grid_from(0, g)
                                                : whole_power(base.q, low, g),
                                    whole_power(base.q, high < -most ? -most : high, g)));
@@ -373,8 +331,8 @@ static bool is_too_long(rational q, integer n)
     return integer_compare(bits, integer_from(RATIONAL_BITS)) >= 0;
 }
 
-static struct value power(struct value base, struct value exponent, bool minus,
-                          const struct node *at, int g)
+struct value value_power(struct value base, struct value exponent, bool minus,
+                         const struct node *at, int g)
 {
     struct value one = value_from(rational_from(1, 1)), out;
     int64_t n;
@@ -382,17 +340,17 @@ static struct value power(struct value base, struct value exponent, bool minus,
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
         return base.kind == UNDEFINED ? base : exponent;
     if (minus)
-        value_negate(&exponent);
+        exponent = value_negate(exponent);
     if (exponent.range)
         return power_of_range(base, exponent, at, g);
     if (exponent.kind != RATIONAL || !rational_is_whole(exponent.q))
-        return undefined(at, "the exponent is not a whole number", false);
+        return value_undefined(at, "the exponent is not a whole number", false);
     if (exponent.q.num.sign == 0)
         return one;
     minus = exponent.q.num.sign < 0;
     exponent.q.num = integer_absolute(exponent.q.num);
     if (base.kind == RATIONAL && !base.range && is_too_long(base.q, exponent.q.num)) {
-        return undefined(at, "it is too long", true);
+        return value_undefined(at, "it is too long", true);
     } else if (base.kind == RATIONAL && !base.range) {
         out = value_from(rational_power(base.q, exponent.q.num));
     } else {
@@ -401,45 +359,36 @@ static struct value power(struct value base, struct value exponent, bool minus,
         if (base.kind == ANGLE && n == 1 && !minus)
             return base;
         if (is_unbounded(&base))
-            return undefined(at, UNBOUNDED, true);
+            return value_undefined(at, UNBOUNDED, true);
         base = out = value_enclosure(value_enclose(base, g));
         for (int64_t i = 1; i < n; i++)
-            out = apply(out, '*', base, at, g);
+            out = value_apply(out, '*', base, at, g);
     }
-    return minus ? apply(one, '/', out, at, g) : out;
+    return minus ? value_apply(one, '/', out, at, g) : out;
 }
 
-void value_hull(struct value *a, const struct value *b, const struct node *at, int g)
+struct value value_hull(struct value a, struct value b, const struct node *at, int g)
 {
-    if (a->kind == UNDEFINED)
-        return;
-    if (b->kind == UNDEFINED)
-        *a = *b;
-    else if (is_unbounded(a) || is_unbounded(b))
-        *a = undefined(at, UNBOUNDED, true);
-    else
-        *a = value_enclosure(interval_hull(value_enclose(*a, g), value_enclose(*b, g)));
-}
-
-void value_power(struct value *base, const struct value *exponent, bool minus,
-                 const struct node *at, int g)
-{
-    *base = power(*base, *exponent, minus, at, g);
+    if (a.kind == UNDEFINED || b.kind == UNDEFINED)
+        return a.kind == UNDEFINED ? a : b;
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return value_undefined(at, UNBOUNDED, true);
+    return value_enclosure(interval_hull(value_enclose(a, g), value_enclose(b, g)));
 }
 
 /* Comparisons
  * ----------- */
 
 /* join: = ! < l (<=) > g (>=), as in formula.h; y - x has this sign. */
-static enum truth holds_for_sign(char join, int sign)
+static bool holds_for_sign(char join, int sign)
 {
     switch (join) {
-    case '=': return sign == 0 ? YES : NO;
-    case '!': return sign != 0 ? YES : NO;
-    case '<': return sign > 0 ? YES : NO;
-    case 'l': return sign >= 0 ? YES : NO;
-    case '>': return sign < 0 ? YES : NO;
-    default:  return sign <= 0 ? YES : NO;
+    case '=': return sign == 0;
+    case '!': return sign != 0;
+    case '<': return sign > 0;
+    case 'l': return sign >= 0;
+    case '>': return sign < 0;
+    default:  return sign <= 0;
     }
 }
 
@@ -447,43 +396,31 @@ static enum truth holds_for_sign(char join, int sign)
  * signs between occur, as far as is known. */
 static enum truth holds_for_signs(char join, int low, int high)
 {
-    enum truth out = holds_for_sign(join, low);
+    bool out = holds_for_sign(join, low);
 
     for (int sign = low; sign <= high; sign++)
         if (holds_for_sign(join, sign) != out)
             return UNKNOWN;
-    return out;
+    return out ? YES : NO;
 }
 
-static enum truth compare(struct value a, char join, struct value b, int g)
+enum truth value_compare(struct value a, char join, struct value b, int g)
 {
     interval difference;
 
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
     if (a.kind == b.kind && a.kind != ENCLOSURE)
-        return holds_for_signs(join, compare_ends(b.q, last_of(&a)),
-                               compare_ends(last_of(&b), a.q));
+        return holds_for_signs(join, compare_ends(b.q, a.q_last),
+                               compare_ends(b.q_last, a.q));
     if (is_unbounded(&a) || is_unbounded(&b))
         return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
     return holds_for_signs(join, difference.lo.sign, difference.hi.sign);
 }
 
-enum truth value_compare(const struct value *a, char join, const struct value *b, int g)
-{
-    return compare(*a, join, *b, g);
-}
-
 /* Functions
  * --------- */
-
-static interval enclose_cos_pi(rational q, int g)
-{
-    rational exact;
-
-    return rational_cos_pi(&exact, q) ? grid_from_rational(exact, g) : grid_cos_pi(q, g);
-}
 
 /* Is there a whole number n with low <= 2 n + shift <= high? */
 static bool passes(rational low, rational high, int shift)
@@ -494,12 +431,10 @@ static bool passes(rational low, rational high, int shift)
     return rational_compare(rational_add(rational_mul(two, n), s), low) >= 0;
 }
 
-/* cos of the angles from q pi to q_last pi */
-static interval cos_of_range(rational q, rational q_last, int g)
+/* cos of the angles from low pi to high pi */
+static interval cos_of_range(rational low, rational high, int g)
 {
-    interval out = interval_hull(enclose_cos_pi(q, g), enclose_cos_pi(q_last, g));
-    bool rising = rational_compare(q, q_last) <= 0;
-    rational low = rising ? q : q_last, high = rising ? q_last : q;
+    interval out = interval_hull(grid_cos_pi(low, g), grid_cos_pi(high, g));
 
     if (passes(low, high, 0))
         out = interval_hull(out, grid_from(1, g));
@@ -508,26 +443,25 @@ static interval cos_of_range(rational q, rational q_last, int g)
     return out;
 }
 
-/* sin x = cos(pi/2 - x) */
 static struct value cos_or_sin(struct value v, const struct node *at, int g)
 {
-    bool sine = at->kind == NODE_SIN;
-    rational half = rational_from(1, 2), exact;
+    rational low = v.q, high = v.q_last, half = rational_from(1, 2), exact;
 
-    if (v.kind == RATIONAL && v.range && v.q.num.sign == 0 && v.q_last.num.sign == 0)
-        v.range = false;
-    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && (v.range || v.q.num.sign != 0)))
-        return undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
+    if (v.kind == ENCLOSURE || (v.kind == RATIONAL &&
+                                (v.q.num.sign != 0 || v.q_last.num.sign != 0)))
+        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi",
+                               false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
-    if (v.range && sine)
-        return value_enclosure(cos_of_range(rational_sub(half, v.q),
-                                      rational_sub(half, v.q_last), g));
-    if (v.range)
-        return value_enclosure(cos_of_range(v.q, v.q_last, g));
-    if (sine ? rational_sin_pi(&exact, v.q) : rational_cos_pi(&exact, v.q))
+    if (at->kind == NODE_SIN) {                    /* sin x = cos(pi/2 - x) */
+        low = rational_sub(half, v.q_last);
+        high = rational_sub(half, v.q);
+    }
+    if (v.kind == ANGLE && v.range)
+        return value_enclosure(cos_of_range(low, high, g));
+    if (rational_cos_pi(&exact, low))
         return value_from(exact);
-    return value_enclosure(sine ? grid_sin_pi(v.q, g) : grid_cos_pi(v.q, g));
+    return value_enclosure(grid_cos_pi(low, g));
 }
 
 static struct value square_root(struct value v, const struct node *at, int g)
@@ -542,7 +476,7 @@ static struct value square_root(struct value v, const struct node *at, int g)
     }
     x = value_enclose(v, g);
     if (x.lo.sign < 0)
-        return undefined(at, "the square root of something that is or may be negative",
+        return value_undefined(at, "the square root of something that is or may be negative",
                          (v.kind == ENCLOSURE || v.range) && x.hi.sign >= 0);
     return value_enclosure(grid_root(x, g));
 }
@@ -553,8 +487,8 @@ static struct value absolute(struct value v, int g)
         v = value_enclosure(value_enclose(v, g));
     if (v.kind == ENCLOSURE)
         v.x = interval_abs(v.x);
-    else
-        v.q.num = integer_absolute(v.q.num);
+    else if (v.q.num.sign < 0)
+        v = value_negate(v);
     return v;
 }
 
@@ -573,32 +507,28 @@ static struct value least_or_greatest(struct value a, struct value b, bool least
 static struct value modulo(struct value a, struct value b, const struct node *at)
 {
     if (a.range || b.range)
-        return undefined(at, SEVERAL, true);
+        return value_undefined(at, SEVERAL, true);
     if (a.kind != RATIONAL || b.kind != RATIONAL || !rational_is_whole(a.q) ||
         !rational_is_whole(b.q))
-        return undefined(at, "mod is of whole numbers", false);
+        return value_undefined(at, "mod is of whole numbers", false);
     if (b.q.num.sign == 0)
-        return undefined(at, "division by zero", false);
+        return value_undefined(at, "division by zero", false);
     return value_from(rational_sub(a.q, rational_mul(b.q,
                       rational_floor(rational_divide(a.q, b.q)))));
 }
 
-void value_function(struct value *out, const struct value *b, const struct node *f, int g)
+struct value value_function(struct value a, struct value b, const struct node *f, int g)
 {
-    if (out->kind == UNDEFINED)
-        return;
-    if (b != NULL && b->kind == UNDEFINED)
-        *out = *b;
-    else if (f->kind == NODE_COS || f->kind == NODE_SIN)
-        *out = cos_or_sin(*out, f, g);
-    else if (is_unbounded(out) || (b != NULL && is_unbounded(b)))
-        *out = undefined(f, UNBOUNDED, true);
-    else if (f->kind == NODE_SQRT)
-        *out = square_root(*out, f, g);
-    else if (f->kind == NODE_ABS)
-        *out = absolute(*out, g);
-    else if (f->kind == NODE_MOD)
-        *out = modulo(*out, *b, f);
-    else
-        *out = least_or_greatest(*out, *b, f->kind == NODE_MIN, g);
+    if (a.kind == UNDEFINED || b.kind == UNDEFINED)
+        return a.kind == UNDEFINED ? a : b;
+    if (f->kind == NODE_COS || f->kind == NODE_SIN)
+        return cos_or_sin(a, f, g);
+    if (is_unbounded(&a) || is_unbounded(&b))
+        return value_undefined(f, UNBOUNDED, true);
+    switch (f->kind) {
+    case NODE_SQRT: return square_root(a, f, g);
+    case NODE_ABS:  return absolute(a, g);
+    case NODE_MOD:  return modulo(a, b, f);
+    default:        return least_or_greatest(a, b, f->kind == NODE_MIN, g);
+    }
 }

@@ -4,7 +4,6 @@
 
 #include "answer.h"
 #include "decide.h"
-#include "slopes.h"
 
 /* From q on: the eigenpair of each block, the rest of it below R, no zero on the curve. */
 static interval prove_wave(const struct valence *v, int64_t q, const struct rise *wave,
@@ -13,18 +12,15 @@ static interval prove_wave(const struct valence *v, int64_t q, const struct rise
 {
     struct characteristic characteristic;
     struct certificate own = *c;
-    struct affine *matrix;
     struct eigenpair pair;
     struct block block;
 
-    own.pair = wave->pair;                         /* for messages */
     own.boundary = wave->boundary;
     valences_block_between(&block, v, wave->record.m, q, wave->q, wave->record.line);
-    matrix = block_matrix(&block);
-    pair = slopes_prove_eigenpair(matrix, c->grid, &wave->pair, c);
-    spectrum_prove_size(affine_range(pair.real), c->grid, &own);
+    pair = eigenpair_prove(block_matrix(&block), &wave->pair, c);
+    spectrum_prove_size(&pair, c);
     pair.s = s;
-    valences_prove_deflated(matrix, &pair, wave->pair.pivot, &wave->record, "wave", c);
+    spectrum_prove_rest(&pair, &wave->record, "wave", c);
     characteristic_prepare(&characteristic, &block, &pair, masks, &own);
     decide_outer_curve(&characteristic, &own);
     return interval_abs(affine_range(pair.real));
@@ -87,13 +83,12 @@ static void prove_outside(const struct valence *v, interval s, const struct cert
 interval window_prove(const struct valence *v, const struct mask q[3],
                       const struct certificate *c)
 {
-    struct eigenpair bound = { .s = spectrum_inverse_upper(c->bound, c->grid) };
-    interval moduli;
+    interval s = spectrum_inverse_upper(c->bound, c->grid), moduli;
 
     if (c->rises == 0 || c->window <= valences_place(1, v->k.first, false))
         rejected(c->file, c->line_of.window, "window: it begins too early, or is empty");
-    moduli = prove_waves(v, bound.s, q, c);
-    valences_prove_block_0(v, &bound, c);
-    prove_outside(v, bound.s, c);
+    moduli = prove_waves(v, s, q, c);
+    valences_prove_block_0(v, s, c);
+    prove_outside(v, s, c);
     return moduli;
 }
