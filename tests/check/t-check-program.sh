@@ -319,4 +319,13 @@ if [ -c /dev/full ]; then
   fi
 fi
 
+# The page for readers lists every file once.
+folder=$SRCDIR/verify/check
+(cd "$folder" && ls -- *.c *.h) | LC_ALL=C sort >"$work/files"
+grep '^    ' "$folder/README" | tr ' ' '\n' | grep '^[a-z0-9_]*[.][ch]$' | LC_ALL=C sort >"$work/listed"
+if cmp -s "$work/files" "$work/listed"; then echo "PASS readme-files"; else
+  echo "FAIL readme-files: $(diff "$work/files" "$work/listed" | grep '^[<>]' | tr '\n' ' ')"
+  failures=$((failures + 1))
+fi
+
 [ "$failures" = 0 ]

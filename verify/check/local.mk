@@ -48,3 +48,4 @@ bin_PROGRAMS += smoothcert-check
 smoothcert_check_SOURCES = $(CHECK_SOURCES)
 smoothcert_check_CPPFLAGS =
 smoothcert_check_LDADD =
+EXTRA_DIST += verify/check/README
