@@ -272,6 +272,33 @@ graded 64..70 plain 1 'expected .pivot' 's/^form graded/form plain/'
 denial centre-grows-20-22 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 20..22 small 1 'not proved to be larger than 1' ''
 graded 64 one-valence 1 'form: .graded. is for' 's/^valence 64 70/valence 64/'
 
+# The eigenvalue 1 of constants is no growth, though it is kappa times larger when scaled; this scheme is C1 there.
+slow() { CLAIM=not-c1 own centre-slow-64-65 64..65 "$@"; }
+slow constants 1 'not proved to be larger than 1' ''
+# 1 + k/16 at the centre: L is positive.
+rises() { CLAIM=not-c1 own centre-rises-64-70 64..70 "$@"; }
+rises nothing 0 '^verified: centre-rises is not C1 at valences 64..70 ' ''
+rises sign 1 'Krawczyk' 's/^eigenvalue /&-/'
+# What a scheme must be for this
+scaled() { CLAIM=not-c1 own sixteenth-112-inf 112..inf "$@"; }
+scaled no-rule-of-the-centre 1 'scheme: the scheme has no mask, or no rule for the centre' '/^rule centre/,/^end/d'
+scaled rule-depends-on-k 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+rule (1,0)\
+centre 3/8 + 0/k\
+(1,0) rest\
+(1,0) @ 1 1/8\
+(1,0) @ -1 1/8\
+end'
+scaled rule-with-all-sectors 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+rule (1,0)\
+centre 3/8\
+(1,0) rest\
+(1,0) @ 1 1/8\
+(1,0) @ -1 1/8\
+all (1,0) 0\
+end'
+scaled weight-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:k/16:& + 0*abs(1/k):'
+
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
 growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
 growth 3..inf from-3 0 '^verified: centre-divergent is not C1 at valences 3..inf ' 's/^valence 5/valence 3/'
