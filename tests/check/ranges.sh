@@ -163,6 +163,17 @@ s/\n\n/\
 /
 }'
 
+# There is no centre.
+dual() { lie doo-sabin-18-inf doo-sabin 18..inf "$@"; }
+dual nothing 0 '^verified: doo-sabin is C1 at valences 18..inf' ''
+dual limit 1 'limit: it is for all valences from some on, with a centre' '/^pivot/,/^inverse -3d/H
+/^block 0 0/{
+s/.*/limit 1/
+G
+s/\n\n/\
+/
+}'
+
 # Certificates of schemes that stand in them, with choices of their own
 
 # own CERTIFICATE VALENCES NAME STATUS PATTERN SED-COMMAND: the lie is one of the scheme, or of the certificate.
@@ -218,6 +229,12 @@ centre 1/4\
 (1,1) rest\
 (1,1) @ j 0\
 end'
+
+# A mask that has first differences, but not all second ones
+blocky() { own doo-sabin-18-inf 18..inf "$@"; }
+blocky scheme 1 'contraction: the mask.s symbol is not divisible' 's,9/16,49/64,
+s,3/16,7/64,
+s,^(3.2\,3.2) 1/16,(3/2\,3/2) 1/64,'
 
 # Refutations at one frequency
 
@@ -428,6 +445,7 @@ end"
 ruled constant 0 '^verified' 3/8
 ruled depends-on-k 1 'rise: a weight of a rule depends on k or m' '3/8 + 0*k'
 ruled depends-by-cases 1 'rise: a weight of a rule depends on k or m' 'cases(k > 5: 3/8; else: 1)'
+ruled exponent-not-whole 1 'has no value' '3/8 + 0*(1/2)^(k*(1/2))'
 ruled unbounded 1 'not bounded' 'k/8'
 ruled condition-at-all 0 '^verified' 3/8 'when k > 30'
 ruled condition-at-none 0 '^verified' 1/8 'when k < 31 or k = 7'
