@@ -59,17 +59,29 @@ static void find_scheme_file(char *out, size_t size, const char *name)
         snprintf(out, size, "%s/tests/certificates/schemes/%s.scheme", source_folder(), name);
 }
 
-/* A row of a table: NAME SCHEME VALENCES [OPTION VALUE]... */
+/* The text of the scheme that stands in the certificate, behind its two first lines. */
+static void write_own_scheme(base *z)
+{
+    const char *begin = strstr(z->whole, "\nscheme "), *end = strstr(z->whole, "\nclaim ");
+    begin = begin ? strchr(begin + 1, '\n') : NULL;
+    CHECK(begin && end && begin < end, "%s: where is its scheme?", z->name);
+    if (!begin || !end || begin >= end)
+        return;
+    strcat(strcpy(z->scheme_file, z->name), ".scheme");
+    write_file(z->scheme_file, begin + 1, (size_t)(end - begin));
+}
+
+/* A row of a table: NAME SCHEME VALENCES [OPTION VALUE]..., SCHEME being - where it is what the certificate says. */
 static void read_row(corpus *c, char *row, const char *folder, bool not_c1)
 {
     base *z = &c->base[c->count];
     char path[600];
-    const char *word = strtok(row, " ");
+    const char *scheme, *word = strtok(row, " ");
     if (!word || *word == '#' || c->count == MAX_BASES)
         return;
     snprintf(z->name, sizeof z->name, "%s", word);
     snprintf(path, sizeof path, "%s/tests/certificates/%s/%s.cert", source_folder(), folder, word);
-    find_scheme_file(z->scheme_file, sizeof z->scheme_file, strtok(NULL, " "));
+    scheme = strtok(NULL, " ");
     word = valence_range_read(&z->k, strtok(NULL, " "));
     CHECK(word && !*word, "%s: of which valences?", z->name);
     z->not_c1 = not_c1;
@@ -82,6 +94,10 @@ static void read_row(corpus *c, char *row, const char *folder, bool not_c1)
     CHECK(z->whole, "%s cannot be read", path);
     if (!z->whole)
         return;
+    if (strcmp(scheme, "-") == 0)
+        write_own_scheme(z);
+    else
+        find_scheme_file(z->scheme_file, sizeof z->scheme_file, scheme);
     lines_read(&z->body, z->whole, "records ");
     c->count++;
 }

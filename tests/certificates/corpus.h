@@ -6,7 +6,7 @@
 
 #include "verify/valence_range.h"
 
-enum { MAX_BASES = 100, MAX_SETTINGS = 4, SECONDS_PER_CHECK = 30 };
+enum { MAX_BASES = 200, MAX_SETTINGS = 4, SECONDS_PER_CHECK = 30 };
 
 /* A good certificate with its claim. */
 typedef struct {

@@ -165,13 +165,6 @@ static void take_regular_part(judge *j, const choices *c)
     memcpy(j->problem.contraction, c->contraction, sizeof c->contraction);
 }
 
-/* Of several valences the prover itself claims C1 and windows only (verify/range_tests.c): for other claims of the checker its
-   verdicts at single valences must do. */
-static bool prover_claims(const choices *c)
-{
-    return is_one_valence(c->k) || c->claim == CLAIM_C1 || c->claim == CLAIM_WINDOW;
-}
-
 static void follow_choices(judge *j, const trial *t)
 {
     analysis_plan plan = {.problem = &j->problem, .system = "grid"};
@@ -183,9 +176,9 @@ static void follow_choices(judge *j, const trial *t)
     MUST(certificate_read(&c, &line, &j->scheme, t->certificate.bytes, t->certificate.length));
     CHECK(line == 0 && valence_range_equal(c.k, t->k) && (c.claim != CLAIM_C1) == t->from->not_c1, "accepted, but the prover reads line %ld otherwise", line);
     take_regular_part(j, &c);
-    if (!test_failed() && prover_claims(&c))
+    if (!test_failed())
         CHECK(analysis_replay(&f, &c, &plan) == OUTCOME_TRUE, "accepted, but not by the prover: %s", findings_last(&f)->reason);
-    if (!test_failed() && prover_claims(&c) && !c.plainly_regular) {
+    if (!test_failed() && !c.plainly_regular) {
         refine_choices(&c, FINER);
         CHECK(analysis_replay(&f, &c, &plan) == OUTCOME_TRUE, "accepted, but not on a finer grid: %s", findings_last(&f)->reason);
     }

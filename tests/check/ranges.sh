@@ -163,6 +163,17 @@ s/\n\n/\
 /
 }'
 
+# There is no centre.
+dual() { lie doo-sabin-18-inf doo-sabin 18..inf "$@"; }
+dual nothing 0 '^verified: doo-sabin is C1 at valences 18..inf' ''
+dual limit 1 'limit: it is for all valences from some on, with a centre' '/^pivot/,/^inverse -3d/H
+/^block 0 0/{
+s/.*/limit 1/
+G
+s/\n\n/\
+/
+}'
+
 # Certificates of schemes that stand in them, with choices of their own
 
 # own CERTIFICATE VALENCES NAME STATUS PATTERN SED-COMMAND: the lie is one of the scheme, or of the certificate.
@@ -219,6 +230,12 @@ centre 1/4\
 (1,1) @ j 0\
 end'
 
+# A mask that has first differences, but not all second ones
+blocky() { own doo-sabin-18-inf 18..inf "$@"; }
+blocky scheme 1 'contraction: the mask.s symbol is not divisible' 's,9/16,49/64,
+s,3/16,7/64,
+s,^(3.2\,3.2) 1/16,(3/2\,3/2) 1/64,'
+
 # Refutations at one frequency
 
 # denial CERTIFICATE SCHEME-FILE VALENCES NAME STATUS PATTERN SED-COMMAND
@@ -271,6 +288,33 @@ graded 64..70 reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequenc
 graded 64..70 plain 1 'expected .pivot' 's/^form graded/form plain/'
 denial centre-grows-20-22 "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 20..22 small 1 'not proved to be larger than 1' ''
 graded 64 one-valence 1 'form: .graded. is for' 's/^valence 64 70/valence 64/'
+
+# The eigenvalue 1 of constants is no growth, though it is kappa times larger when scaled; this scheme is C1 there.
+slow() { CLAIM=not-c1 own centre-slow-64-65 64..65 "$@"; }
+slow constants 1 'not proved to be larger than 1' ''
+# 1 + k/16 at the centre: L is positive.
+rises() { CLAIM=not-c1 own centre-rises-64-70 64..70 "$@"; }
+rises nothing 0 '^verified: centre-rises is not C1 at valences 64..70 ' ''
+rises sign 1 'Krawczyk' 's/^eigenvalue /&-/'
+# What a scheme must be for this
+scaled() { CLAIM=not-c1 own sixteenth-112-inf 112..inf "$@"; }
+scaled no-rule-of-the-centre 1 'scheme: the scheme has no mask, or no rule for the centre' '/^rule centre/,/^end/d'
+scaled rule-depends-on-k 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+rule (1,0)\
+centre 3/8 + 0/k\
+(1,0) rest\
+(1,0) @ 1 1/8\
+(1,0) @ -1 1/8\
+end'
+scaled rule-with-all-sectors 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+rule (1,0)\
+centre 3/8\
+(1,0) rest\
+(1,0) @ 1 1/8\
+(1,0) @ -1 1/8\
+all (1,0) 0\
+end'
+scaled weight-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:k/16:& + 0*abs(1/k):'
 
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
 growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
@@ -401,6 +445,7 @@ end"
 ruled constant 0 '^verified' 3/8
 ruled depends-on-k 1 'rise: a weight of a rule depends on k or m' '3/8 + 0*k'
 ruled depends-by-cases 1 'rise: a weight of a rule depends on k or m' 'cases(k > 5: 3/8; else: 1)'
+ruled exponent-not-whole 1 'has no value' '3/8 + 0*(1/2)^(k*(1/2))'
 ruled unbounded 1 'not bounded' 'k/8'
 ruled condition-at-all 0 '^verified' 3/8 'when k > 30'
 ruled condition-at-none 0 '^verified' 1/8 'when k < 31 or k = 7'

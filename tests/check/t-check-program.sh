@@ -230,6 +230,57 @@ language more 2 'end of the line' '$s/.*/&\
 end/'
 language point 2 'a scheme of version 0' 's/(1,0)  rest/(1,1)  rest/'
 
+# Each thing that version 0 does not know, alone
+other() { language "beyond-$1" 2 'a scheme of version 0' "$2"; }
+other quads 's/^mesh triangle/mesh quad/
+s,^  (0\,0).*,  (0\,0) 9/16,
+s,^  (1\,1).*,  (1\,1) 1/4,
+s,^  (2\,0).*,  (2\,0) 3/32\
+  (2\,1) 1/16\
+  (2\,2) 1/64,'
+other name 's/^mask/let w = 1\
+&/'
+other function 's,^  centre .*,  centre min(5/8\, 3/4),'
+other lopsided 's/^mask symmetric/mask/
+s,^  (0\,0).*,  (0\,0) 5/8,
+s,^  (1\,0).*,  (1\,0) 3/8\
+  (0\,1) 3/8\
+  (-1\,1) 3/8\
+  (-1\,0) 3/8\
+  (0\,-1) 3/8\
+  (1\,-1) 3/8,
+s,^  (1\,1).*,  (1\,1) 1/16\
+  (-1\,2) 1/16\
+  (-2\,1) 1/16\
+  (-1\,-1) 1/16\
+  (1\,-2) 1/16\
+  (2\,-1) 1/16\
+  (2\,1) 1/16\
+  (-1\,3) 1/16\
+  (-3\,2) 1/16\
+  (-2\,-1) 1/16\
+  (1\,-3) 1/16\
+  (3\,-2) 1/16,
+s,^  (2\,0).*,  (2\,0) 1/16\
+  (0\,2) 1/16\
+  (-2\,2) 1/16\
+  (-2\,0) 1/16\
+  (0\,-2) 1/16\
+  (2\,-2) 1/16,'
+other rules '$s/.*/&\
+rule (1,0)\
+centre 3\/8\
+(1,0) rest\
+(1,0) @ 1 1\/8\
+(1,0) @ -1 1\/8\
+end/'
+other point 's/^rule centre/rule (1,0)/'
+other condition 's/^rule centre/& when k > 2/'
+other source 's/^  all.*/&\
+all (2,0) 0/'
+other no-centre 's,^  centre .*,  all (2\,0) 5/8,'
+other farther 's/(1,0)  rest/(2,0)  rest/'
+
 # Not the scheme that the eigenpair, the powers or the trees belong to.
 language other-centre 1 'power' 's,^  centre .*,  centre 1,'
 language other-mask 1 'contraction' 's,^  (0\,0)  5/8,  (0\,0)  1/4,

@@ -25,7 +25,7 @@ static bool is_infinite(rational end)
 
 static bool is_unbounded(const struct value *v)
 {
-    return v->kind != ENCLOSURE && v->kind != UNDEFINED && v->range &&
+    return v->kind != ENCLOSURE && v->kind != UNDEFINED &&
            (is_infinite(v->q) || is_infinite(v->q_last));
 }
 
