@@ -150,6 +150,7 @@ with() { # N TEXT
 # shellcheck disable=SC2016  # backquotes of messages
 bad_schemes() {
   sed -n '3,15p' "$good" | bad without-end 14:1 'end of the file'
+  printf 'scheme s\nmesh quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2centre 1 - 3/k, 2/k\nend\n' | bad word-in-number 7:16 'expected'
   with 1 'scheme Loop' | bad name-upper-case 1:8 'expected a name'
   with 1 'scheme' | bad no-name 1: 'expected a name'
   with 1 "scheme l$(printf '%064d' 0)" | bad long-name 1: 'expected a name'

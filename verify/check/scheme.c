@@ -514,7 +514,8 @@ static void read_smooth(struct reader *r, struct cursor *c)
     edges = read_rational(c, l);
     at_centre[0] = number_node(own);
     at_centre[1] = number_node(edges);
-    if (cursor_accept_word(c, "centre")) {
+    cursor_skip_blanks(c);
+    if (cursor_is_apart(c) && cursor_accept_word(c, "centre")) {
         at_centre[0] = formula_read(c, l, MEANS_K);
         cursor_expect(c, ',', COMMA);
         at_centre[1] = formula_read(c, l, MEANS_K);

@@ -217,6 +217,13 @@ bool cursor_accept_word(struct cursor *c, const char *word)
     return true;
 }
 
+bool cursor_is_apart(const struct cursor *c)
+{
+    char before = c->at[-1];
+
+    return !is_lower(before) && !is_digit(before) && before != '_';
+}
+
 bool cursor_read_word(char *out, int limit, struct cursor *c)
 {
     size_t length;

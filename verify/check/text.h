@@ -66,6 +66,9 @@ bool cursor_accept_text(struct cursor *c, const char *text);
  * behind the first also digits and `_`. */
 bool cursor_accept_word(struct cursor *c, const char *word);
 
+/* Is the cursor behind anything but a letter, digit or _ ? */
+bool cursor_is_apart(const struct cursor *c);
+
 /* The word at the cursor, of at most `limit` characters, into out[0..limit];
  * false if there is none. */
 bool cursor_read_word(char *out, int limit, struct cursor *c);
