@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-enum { D = LAURENT_MAX_DEGREE, COUNT = 2 * D + 1 };
+enum { D = LAURENT_MAX_DEGREE, COUNT = 2 * D + 1, MAX_EXPONENT = 1024 };
 
 bool laurent_value_make(laurent_value *z)
 {
@@ -172,14 +172,14 @@ static bool negate(laurent_value *z)
     return ok;
 }
 
-/* *n = the exponent, a whole number >= 0. */
+/* *n = the exponent, a whole number that does not depend on k. */
 static bool get_exponent(long *n, bool *known, const formula *f, valence_range k)
 {
     laurent_value x;
     bool ok = laurent_value_make(&x) && formula_laurent_value(&x, known, f, k);
     if (ok && *known) {
         const rational *c = laurent_value_at(&x, 0);
-        *known = laurent_value_high(&x) == 0 && laurent_value_low(&x) == 0 && rational_is_integer(c) && rational_sign(c) >= 0 && rational_cmp_si(c, EXACT_MAX_BITS, 1) <= 0;
+        *known = f->depends == 0 && laurent_value_high(&x) == 0 && laurent_value_low(&x) == 0 && rational_is_integer(c) && rational_sign(c) >= 0 && rational_cmp_si(c, MAX_EXPONENT, 1) <= 0;
         *n = *known ? (long)integer_get_si(&c->numerator) : 0;
     }
     laurent_value_clear(&x);

@@ -84,17 +84,34 @@ static bool depends(const formula *f, unsigned on)
     return f && (f->depends & on) != 0;
 }
 
+/* Does rule j hold, and no earlier one for its point everywhere? */
+static status may_be_in_force(bool *z, const scheme_step *s, int j, valence_range k, diagnostic *d)
+{
+    const rule *r = &s->rules[j];
+    truth holds;
+    status result = scheme_rule_holds(&holds, r, k, d);
+    *z = holds != TRUTH_FALSE;
+    for (int i = 0; result == STATUS_OK && *z && i < j; i++) {
+        const rule *earlier = &s->rules[i];
+        if (earlier->at_centre != r->at_centre || earlier->point.a != r->point.a || earlier->point.b != r->point.b)
+            continue;
+        result = scheme_rule_holds(&holds, earlier, k, d);
+        *z = holds != TRUTH_TRUE;
+    }
+    return result;
+}
+
 static status weights_depend(bool *z, const scheme *s, valence_range k, unsigned on, diagnostic *d)
 {
     *z = false;
     for (int i = 0; i < s->step_count; i++)
         for (int j = 0; j < s->steps[i].rule_count; j++) {
             const rule *r = &s->steps[i].rules[j];
-            truth holds;
-            status result = scheme_rule_holds(&holds, r, k, d);
+            bool counts;
+            status result = may_be_in_force(&counts, &s->steps[i], j, k, d);
             if (result != STATUS_OK)
                 return result;
-            for (int l = 0; l < r->count && !r->at_centre && holds != TRUTH_FALSE; l++)
+            for (int l = 0; l < r->count && !r->at_centre && counts; l++)
                 *z = *z || depends(r->sources[l].weight, on) || depends(r->sources[l].imaginary, on);
         }
     return STATUS_OK;

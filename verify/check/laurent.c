@@ -4,7 +4,7 @@
 
 #include "exact_formula.h"
 
-enum { SIZE = 2 * LAURENT_DEGREE + 1 };
+enum { SIZE = 2 * LAURENT_DEGREE + 1, MAX_LAURENT_EXPONENT = 1024 };
 
 static struct laurent constant(rational q)
 {
@@ -122,7 +122,7 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
 
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)
 {
-    const struct ring ring = { sizeof *out, LAURENT_DEGREE, NULL, simple, set, apply };
+    const struct ring ring = { sizeof *out, MAX_LAURENT_EXPONENT, NULL, simple, set, apply };
     struct laurent *rest = &out[rule->rest];
 
     *rest = constant(rational_from(1, 1));
