@@ -59,7 +59,9 @@ static outcome bound(analysis *a, const number *kappa)
         if (number_is_negative(&modulus) == TRUTH_TRUE)
             number_neg(&modulus, &modulus);
         number_sub(&excess, &modulus, &powers[d], a->prec);
-        if (number_is_positive(&modulus) != TRUTH_TRUE || number_is_positive(&excess) != TRUTH_TRUE)
+        if (number_lacks_memory(&excess))
+            o = OUTCOME_NO_MEMORY;
+        else if (number_is_positive(&modulus) != TRUTH_TRUE || number_is_positive(&excess) != TRUTH_TRUE)
             o = findings_explain(a->findings, OUTCOME_FAIL, "the dominant eigenvalue of block 0 could not be shown to lie beyond 1");
         note_bounds(a, &modulus);
         number_array_free(powers, (size_t)d + 1);
