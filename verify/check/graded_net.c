@@ -4,8 +4,6 @@
 
 #include "answer.h"
 
-#include <limits.h>
-
 /* kappa
  * ----- */
 
@@ -100,10 +98,10 @@ static void add_term(struct grading *s, interval w, int c, const struct graded_v
 
 static struct graded_value sum_of_terms(struct grading *s)
 {
-    struct graded_value out = { s->terms > 0, INT_MAX, affine_from_whole(0, s->g) };
+    struct graded_value out = { s->terms > 0, 0, affine_from_whole(0, s->g) };
 
     for (int i = 0; i < s->terms; i++)
-        out.e = s->term[i].e < out.e ? s->term[i].e : out.e;
+        out.e = i == 0 || s->term[i].e < out.e ? s->term[i].e : out.e;
     for (int i = 0; i < s->terms; i++)
         out.v = affine_add(out.v, affine_mul(kappa_power(s, s->term[i].e - out.e),
                                              s->term[i].v, s->g));
