@@ -436,6 +436,31 @@ told sixteenth-112-inf 26..27 modulus-one 1 'Krawczyk' 's/^valence 112 inf/valen
 denial sixteenth-112-inf "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 112..inf another-scheme 1 'scheme' ''
 sixteenth slower 1 'scheme' 's:k/16:k/17:'
 
+steps() { told steps-grow-1311-inf 1311..inf "$@"; }
+steps nothing 0 '^verified: steps-grow is not C1 at valences 1311..inf (frequency 0: 1.0410.* <= |L| (20/k)^2 <= 1.0418' ''
+steps unit 1 'radius: the Krawczyk' 's/^unit 20/unit 21/'
+steps degree 1 'grades: the scaled block grows' 's/^degree 2/degree 1/'
+steps grade 1 'radius: the Krawczyk' 's/^grades 0 0 0 1/grades 0 0 0 0/'
+steps grade-larger 1 'grades: the scaled block grows' 's/^\(grades.*\) 2$/\1 3/'
+steps grade-of-edges 1 'grades: the scaled block grows' 's/^grades 0 0/grades 0 1/'
+steps grade-missing 1 'grades: expected more' 's/^\(grades.*\) 2$/\1/'
+steps eigenvalue 1 'Krawczyk' 's/^eigenvalue 1/eigenvalue 2/'
+steps slower 1 'scheme: expected the text' 's:1/9:1/10:'
+told steps-grow-1311-inf 1310..inf from-1310 1 'Krawczyk' 's/^valence 1311/valence 1310/'
+told steps-grow-1311-inf 3..15 proved-to-be-c1 1 'Krawczyk' 's/^valence 1311 inf/valence 3 15/'
+# Its text says something else, of any one step.
+steps_own() { CLAIM=not-c1 own steps-grow-1311-inf 1311..inf "$@"; }
+steps_own first-step 1 'radius: the Krawczyk' 's:k\*a, 1 - k$:k*a, 2 - k:'
+steps_own first-step-slower 1 'radius: the Krawczyk' 's:k\*a, 1 - k$:a, 1 - k:'
+steps_own first-step-faster 1 'grades: the scaled block grows' 's:k\*a, 1 - k$:k^2*a, 1 - k:'
+steps_own second-step 1 'radius: the Krawczyk' 's:centre 2/k, :centre 3/k, :'
+steps_own second-step-slower 1 'radius: the Krawczyk' 's:, k^2\*b:, k*b:'
+steps_own second-step-faster 1 'grades: the scaled block grows' 's:, k^2\*b:, k^3*b:'
+steps_own third-step 1 'radius: the Krawczyk' '/^smooth 1.4, 1.2$/s:$: centre 1 - 3/k, 2/k:'
+steps_own third-step-grows 1 'grades: the scaled block grows' '/^smooth 1.4, 1.2$/s:$: centre 1 - k/8, 2/k:'
+steps_own interval-for-a-parameter 1 'form: a weight of the centre has no Laurent value' 's:^parameter b = 1/9:parameter b = [1/9, 1/8]:'
+steps_own name-written-out 0 '^verified' 's:k^2\*b:k^2/9:'
+
 turns() { told two-turns-30-inf 30..inf "$@"; }
 turns nothing 0 '^verified: two-turns is not C1 at valences 30..inf (frequency 2: 0.599' ''
 turns frequency-3 1 'Krawczyk' 's/^frequency 2/frequency 3/;s/^block 2 2/block 3 3/'

@@ -24,6 +24,7 @@ struct graded_net {
     struct graded_value *value;
 };
 
+/* Masks have fewer points than this. */
 enum { MAX_KAPPA = 4096, MAX_TERMS = MAX_SOURCES * (2 * LAURENT_DEGREE + 1) };
 
 /* What a computation on such nets depends on. */
