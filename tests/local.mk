@@ -184,6 +184,7 @@ EXTRA_DIST += \
   tests/certificates/accept-1 \
   tests/certificates/reject \
   tests/certificates/reject-1 \
+  tests/certificates/lies \
   tests/verify/schemes
 
 # The kept inputs of the fuzz targets, without libFuzzer.
