@@ -188,6 +188,8 @@ own() {
 own falling-31-inf 31..inf nothing 1 'not proved to be positive and to rise' ''
 # 1 + 3/k of the centre: block 0 is ahead of block 1 at all valences, and tends to it.
 own centre-rising-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
+# 1 - 1/100/k: as k comes down from infinity block 0 falls, but less than L, and is ahead at 160.
+own centre-slowly-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
 mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
 mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
