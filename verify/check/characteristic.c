@@ -71,7 +71,8 @@ static struct net extend_net(const struct net *old, const struct block *block,
     if (rings <= old->rings)
         cannot_check("the checker cannot extend the characteristic net");
     out = net_make(mesh, rings);
-    out.centre = old->centre;                      /* for m = 0, which keeps it */
+    if (block->plain && mesh != DUAL)              /* which keeps it */
+        net_set(&out, 0, 0, net_value(old, block, 0, 0));
     new = net_subdivide(old, block, rings);
     for (int a = 1; a <= rings; a++)
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)

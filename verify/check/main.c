@@ -5,43 +5,7 @@
  * evidence from certificates.  check.c goes through certificate.md section by
  * section; whatever does not hold ends the program with "rejected" or "cannot
  * check" (answer.h), so that to return from it is to have verified everything.
- *
- * The files, in the order in which to read them:
- *
- *     answer          the three answers
- *     scratch         memory
- *     integer         integers of fixed capacity
- *     rational        exact rationals
- *     grid            section 2, grid intervals
- *     trig            section 2, pi, cos, sin
- *     sha256          the hash of the last record
- *     text            files, canonical text, tokens     (lib/scheme.md)
- *     formula         formulas read                     (lib/scheme.md)
- *     value           the arithmetic of values          (lib/scheme.md)
- *     evaluate        formulas evaluated                (lib/scheme.md)
- *     mask            masks and their conditions        (lib/scheme.md)
- *     scheme          scheme files                      (lib/scheme.md)
- *     symmetry        evident mirror symmetry           (lib/scheme.md)
- *     certificate     section 1, the file
- *     regular         section 4, C1 on the regular complex
- *     stability       section 4, the constants K        (lib/stability.md)
- *     valence         section 5, the rules at one valence or several
- *     affine          affine numbers                    (certificate-valences.md)
- *     sector          section 5, sector nets and blocks
- *     spectrum        section 6, the spectrum
- *     slopes          eigenpairs of several valences    (certificate-valences.md)
- *     valences        the spectrum of several valences  (certificate-valences.md)
- *     laurent         polynomials in k and 1/k          (certificate-valences.md)
- *     limit           block 0 as k grows                (certificate-valences.md)
- *     window          a window of frequencies           (certificate-valences.md)
- *     element         section 7, elements, windows, rings
- *     spline          section 7, limits that are polynomials
- *     influence       section 7, how far rules matter   (lib/ring.md)
- *     characteristic  section 7, the characteristic net
- *     decide          section 8, the decisions
- *     check           sections 3 to 9, one after the other
- *     claim           the valences that are claimed, the certificates of a folder
- *     main            arguments and section 10
+ * README lists the files, in the order in which to read them.
  */
 
 #include "answer.h"

@@ -247,7 +247,8 @@ struct stencil stencil_make(const struct mask *mask, int dilation, int g)
         for (const struct point *x = p.point; x < p.point + p.count; x++)
             if (stencil_class(&out, x->a, x->b) == class)
                 out.entry[count++] = (struct stencil_entry) {
-                    x->a, x->b, grid_from_fraction(x->weight, mask->denominator, g)
+                    x->a, x->b, grid_from_fraction(x->weight, mask->denominator, g),
+                    { x->weight, mask->denominator }
                 };
     }
     out.first[4] = count;

@@ -66,6 +66,7 @@ struct points mask_points(const struct mask *mask);
 struct stencil_entry {
     int a, b;
     interval weight;
+    rational exact;                                /* not in lowest terms */
 };
 
 struct stencil {

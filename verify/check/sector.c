@@ -131,150 +131,88 @@ static size_t cell(const struct net *net, int a, int b)
     return (size_t)i * (size_t)side(net) + (size_t)j;
 }
 
-struct net net_make(enum mesh mesh, int rings)
+struct net net_of(const struct arithmetic *of, enum mesh mesh, int rings)
 {
-    struct net out = { .mesh = mesh, .rings = rings };
+    struct net out = { .of = of, .mesh = mesh, .rings = rings };
     size_t cells = (size_t)side(&out) * (size_t)side(&out);
 
-    out.value = allocate(cells, sizeof out.value[0]);
+    out.value = allocate(cells, of->size);
     out.known = allocate(cells, sizeof out.known[0]);
-    memset(&out.centre, 0, sizeof out.centre);     /* zeroed memory is 0 */
     return out;
 }
 
-void net_set(struct net *net, int a, int b, struct pair value)
+void *net_add(struct net *net, int a, int b)
 {
     size_t i = cell(net, a, b);
 
-    net->value[i] = value;
     net->known[i] = true;
+    return net->value + i * net->of->size;
 }
 
-struct pair net_value(const struct net *net, const struct block *block, int a, int b)
+const void *net_find(const struct net *net, const struct block *block, int a, int b)
 {
-    size_t here = cell(net, a, b);
+    size_t i = cell(net, a, b);
+    void *here = net->value + i * net->of->size;
     enum place place;
-    struct pair out;
 
-    if (net->known[here])
-        return net->value[here];
+    if (net->known[i])
+        return here;
     place = label_turn(net->mesh, &a, &b);
-    if (place == CENTRE)
-        return net->centre;
-    if (place == IN_SECTOR) {
-        if (label_ring(net->mesh, a, b) > net->rings)
-            cannot_check("the checker looks for a point outside of its net");
-        return net->value[here];                   /* 0 */
-    }
+    if (place == IN_SECTOR && label_ring(net->mesh, a, b) > net->rings)
+        cannot_check("the checker looks for a point outside of its net");
+    if (place == IN_SECTOR || place == CENTRE)
+        return here;                               /* 0 */
     if (place == OPPOSITE && valence_is_regular(block->v)) {
         label_from_next(net->mesh, &a, &b);
         place = BEHIND;
     }
     if (place == OPPOSITE)
         cannot_check("a rule uses a point opposite to its sector");
-    out = net_value(net, block, a, b);
+    memcpy(here, net_find(net, block, a, b), net->of->size);
     if (!block->plain)
-        out = apply_matrix(place == BEHIND ? block->turn : block->back, out, block->v->g);
-    net->value[here] = out;
-    net->known[here] = true;
-    return out;
+        net->of->turn(here, place == BEHIND, block);
+    net->known[i] = true;
+    return here;
 }
 
 /* New values
  * ---------- */
 
-static void add_pair(struct pair *sum, struct pair term)
-{
-    sum->x = affine_add(sum->x, term.x);
-    sum->y = affine_add(sum->y, term.y);
-}
-
-static struct pair zero_pair(void)
-{
-    struct affine zero = affine_from(interval_thin(integer_from(0)));
-
-    return (struct pair) { zero, zero };
-}
-
-static struct pair value_by_rule(const struct net *old, const struct block *block,
-                                 const struct block_rule *rule)
-{
-    struct pair sum = zero_pair();
-    int g = block->v->g;
-
-    for (int i = 0; i < rule->terms; i++) {
-        const struct term *t = &rule->term[i];
-        struct pair v = t->source->kind == SOURCE_CENTRE
-                      ? old->centre
-                      : net_value(old, block, t->source->a, t->source->b);
-
-        if (block->has_y)
-            add_pair(&sum, apply_matrix(t->m, v, g));
-        else
-            sum.x = affine_add(sum.x, affine_mul(t->m[0], v.x, g));
-    }
-    return sum;
-}
-
-static struct pair value_by_mask(const struct net *old, const struct block *block,
-                                 const struct stencil *s, int a, int b)
-{
-    struct pair sum = zero_pair();
-    int class = stencil_class(s, a, b), g = block->v->g;
-
-    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
-        const struct stencil_entry *e = &s->entry[i];
-        struct pair v = net_value(old, block, (a - e->a) / s->dilation,
-                                  (b - e->b) / s->dilation);
-
-        affine_add_multiple(&sum.x, e->weight, &v.x, g);
-        if (block->has_y)
-            affine_add_multiple(&sum.y, e->weight, &v.y, g);
-    }
-    return sum;
-}
-
-/* Without a rule the centre is multiplied by mask(0,0), and no other weight of the
- * mask may reach it. */
-static struct pair centre_by_mask(const struct net *old, const struct block *block,
-                                  const struct stencil *s)
-{
-    struct pair out = zero_pair();
-
-    for (int i = s->first[0]; i < s->first[1]; i++) {
-        if (s->entry[i].a != 0 || s->entry[i].b != 0)
-            cannot_check("the centre has no rule, and the mask does not give it its "
-                         "old value");
-        out.x = affine_scale(s->entry[i].weight, old->centre.x, block->v->g);
-        out.y = affine_scale(s->entry[i].weight, old->centre.y, block->v->g);
-    }
-    return out;
-}
-
-static struct pair new_value(const struct net *old, const struct block *block, int step,
-                             bool centre, int a, int b)
+/* Without a rule no weight of the mask but that of (0,0) may reach the centre. */
+static void find_new_value(void *sum, const struct net *old, const struct block *block, int step,
+                           bool centre, int a, int b)
 {
     const struct active_step *active = &block->v->step[step];
     const struct active_rule *rule = valence_rule(active, centre, a, b);
+    const struct block_rule *r = rule == NULL ? NULL : &block->rule[step][rule - active->rule];
+    const struct stencil *s = &active->stencil;
+    int class = stencil_class(s, a, b);
 
-    if (rule != NULL)
-        return value_by_rule(old, block, &block->rule[step][rule - active->rule]);
-    if (centre)
-        return centre_by_mask(old, block, &active->stencil);
-    return value_by_mask(old, block, &active->stencil, a, b);
+    for (int i = 0; r != NULL && i < r->terms; i++)
+        old->of->add_term(sum, &r->term[i], net_find(old, block, r->term[i].source->a,
+                                                     r->term[i].source->b), block);
+    for (int i = s->first[class]; r == NULL && i < s->first[class + 1]; i++) {
+        const struct stencil_entry *e = &s->entry[i];
+
+        if (centre && (e->a != 0 || e->b != 0))
+            cannot_check("the centre has no rule, and the mask does not give it its "
+                         "old value");
+        old->of->add_entry(sum, e, net_find(old, block, (a - e->a) / s->dilation,
+                                            (b - e->b) / s->dilation), block);
+    }
 }
 
 static struct net apply_step(const struct net *old, const struct block *block, int step,
                              int rings)
 {
     enum mesh mesh = block->v->step[step].step->new;
-    struct net out = net_make(mesh, rings);
+    struct net out = net_of(old->of, mesh, rings);
 
     if (block->plain && mesh != DUAL)
-        out.centre = new_value(old, block, step, true, 0, 0);
+        find_new_value(net_add(&out, 0, 0), old, block, step, true, 0, 0);
     for (int a = 1; a <= rings; a++)
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
-            net_set(&out, a, b, new_value(old, block, step, false, a, b));
+            find_new_value(net_add(&out, a, b), old, block, step, false, a, b);
     return out;
 }
 
@@ -290,6 +228,58 @@ struct net net_subdivide(const struct net *old, const struct block *block, int r
     for (int i = 0; i < scheme->steps; i++)
         net = apply_step(&net, block, i, needs[i + 1]);
     return net;
+}
+
+/* Nets of affine numbers
+ * ---------------------- */
+
+static void turn(void *v, bool behind, const struct block *block)
+{
+    struct pair *out = v;
+
+    *out = apply_matrix(behind ? block->turn : block->back, *out, block->v->g);
+}
+
+static void add_term(void *sum, const struct term *t, const void *v, const struct block *block)
+{
+    struct pair *out = sum, term = *(const struct pair *)v;
+    int g = block->v->g;
+
+    if (!block->has_y) {
+        out->x = affine_add(out->x, affine_mul(t->m[0], term.x, g));
+        return;
+    }
+    term = apply_matrix(t->m, term, g);
+    out->x = affine_add(out->x, term.x);
+    out->y = affine_add(out->y, term.y);
+}
+
+static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
+                      const struct block *block)
+{
+    const struct pair *old = v;
+    struct pair *out = sum;
+
+    affine_add_multiple(&out->x, e->weight, &old->x, block->v->g);
+    if (block->has_y)
+        affine_add_multiple(&out->y, e->weight, &old->y, block->v->g);
+}
+
+static const struct arithmetic AFFINE = { sizeof(struct pair), turn, add_term, add_entry };
+
+struct net net_make(enum mesh mesh, int rings)
+{
+    return net_of(&AFFINE, mesh, rings);
+}
+
+void net_set(struct net *net, int a, int b, struct pair value)
+{
+    *(struct pair *)net_add(net, a, b) = value;
+}
+
+struct pair net_value(const struct net *net, const struct block *block, int a, int b)
+{
+    return *(const struct pair *)net_find(net, block, a, b);
 }
 
 /* Rules at these frequencies
@@ -475,7 +465,7 @@ static void list_unknowns(struct block *out)
     out->unknown = allocate((size_t)(out->rings + 1) * (size_t)(out->rings + 1) * 2,
                             sizeof out->unknown[0]);
     if (out->plain && mesh != DUAL)
-        add_unknown(out, 0, 0, UNKNOWN_CENTRE);
+        add_unknown(out, 0, 0, UNKNOWN_PLAIN);
     for (int ring = 1; ring <= out->rings; ring++)
         for (int b = mesh == DUAL ? 1 : 0; b <= ring; b++)
             for (int a = ring; a >= 1; a--)
@@ -496,9 +486,6 @@ void net_set_unknowns(struct net *out, const struct block *block,
         if (block->has_y && !block->real)
             value.y = unknowns[i + block->n];
         switch (block->unknown[i].kind) {
-        case UNKNOWN_CENTRE:
-            out->centre = value;
-            break;
         case UNKNOWN_PLAIN:
         case UNKNOWN_SPOKE:
         case UNKNOWN_COMPLEX:
@@ -567,8 +554,7 @@ static struct affine read_off(const struct net *net, const struct block *block, 
                          bool second)
 {
     const struct unknown *unknown = &block->unknown[i];
-    struct pair v = unknown->kind == UNKNOWN_CENTRE
-                  ? net->centre : net_value(net, block, unknown->a, unknown->b);
+    struct pair v = net_value(net, block, unknown->a, unknown->b);
 
     if (unknown->kind == UNKNOWN_BISECTOR || unknown->kind == UNKNOWN_Y || second)
         return v.y;

@@ -32,13 +32,27 @@ void label_from_before(enum mesh mesh, int *a, int *b);
 /* BEHIND (T V) and BEFORE (T^-1 V): the label is turned by one sector. */
 enum place label_turn(enum mesh mesh, int *a, int *b);
 
-/* Values on the rings 1..rings of the sector and, found by rotation when they are
- * first asked for, on the labels of the plane round it. */
+struct block;
+struct term;
+
+/* What a net's values are, of the block: numbers that zeroed memory makes 0. */
+struct arithmetic {
+    size_t size;
+    void (*turn)(void *v, bool behind, const struct block *block);     /* T v; T^-1 v */
+
+    /* The sum gets a source of a rule, or a point of the mask, whose value is v. */
+    void (*add_term)(void *sum, const struct term *t, const void *v, const struct block *block);
+    void (*add_entry)(void *sum, const struct stencil_entry *e, const void *v,
+                      const struct block *block);
+};
+
+/* Values on the rings 1..rings of the sector, at the centre (0,0) if there is one, and, found by
+ * rotation when they are first asked for, on the labels of the plane round it. */
 struct net {
+    const struct arithmetic *of;
     enum mesh mesh;
     int rings;
-    struct pair centre;
-    struct pair *value;
+    unsigned char *value;
     bool *known;
 };
 
@@ -46,7 +60,6 @@ struct net {
 struct unknown {
     int a, b;
     enum unknown_kind {
-        UNKNOWN_CENTRE,                            /* m = 0: the centre */
         UNKNOWN_PLAIN,                             /* m = 0: the value */
         UNKNOWN_COMPLEX,                           /* x + i y */
         UNKNOWN_SPOKE,                             /* b = 0: x */
@@ -59,6 +72,7 @@ struct unknown {
 struct term {
     const struct source *source;
     struct affine m[4];                            /* m0 m1; m2 m3 */
+    const struct number *exact;                    /* the weight (exact_block.h) */
 };
 
 struct block_rule {
@@ -78,6 +92,7 @@ struct block {
     int n;                                         /* number of unknowns */
     int size;                                      /* of the real matrix: N */
     struct unknown *unknown;
+    const struct exact_turns *exact;               /* for nets of exact_block.c */
 };
 
 /* R of a scheme. */
@@ -109,6 +124,12 @@ void net_set_unknowns(struct net *out, const struct block *block,
 
 /* V(a,b) for any label of the plane that is not opposite. */
 struct pair net_value(const struct net *net, const struct block *block, int a, int b);
+
+/* The same for values of any kind: a net of zeros, the place of a value that is set by that, and
+ * the value of a label. */
+struct net net_of(const struct arithmetic *of, enum mesh mesh, int rings);
+void *net_add(struct net *net, int a, int b);
+const void *net_find(const struct net *net, const struct block *block, int a, int b);
 
 /* The net after one subdivision, on the rings 1..rings. */
 struct net net_subdivide(const struct net *old, const struct block *block, int rings);
