@@ -123,6 +123,7 @@ struct certificate {
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */
     size_t letters;                                /* of all words of trees */
+    int powers;                                    /* the sum of all */
     struct witness witness[2];
 
     struct {                                       /* for messages */
