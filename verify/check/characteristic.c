@@ -99,13 +99,14 @@ struct pair characteristic_at(const struct characteristic *c, const struct refin
 /* Thin nets
  * --------- */
 
-static void add_error(struct error *rho, struct affine x)
+static void add_error(interval *rho, interval x)
 {
-    rho->c = integer_max(rho->c, interval_rad(x.c));
-    rho->d = integer_max(rho->d, interval_rad(x.d));
+    integer most = integer_max(rho->hi, interval_rad(x));
+
+    *rho = (interval) { integer_negate(most), most };
 }
 
-/* rho_x, rho_y of f: the largest rad at the labels of the windows of the elements. */
+/* rho of f: the largest rad at the labels of the windows of the elements. */
 static void collect_rho(struct refinable *f, const struct characteristic *c,
                         const struct element *element, int elements)
 {
@@ -117,8 +118,10 @@ static void collect_rho(struct refinable *f, const struct characteristic *c,
                                                   element[i].a + window->label[n].a,
                                                   element[i].b + window->label[n].b);
 
-            add_error(&f->rho_x, value.x);
-            add_error(&f->rho_y, value.y);
+            add_error(&f->rho.x.c, value.x.c);
+            add_error(&f->rho.x.d, value.x.d);
+            add_error(&f->rho.y.c, value.y.c);
+            add_error(&f->rho.y.d, value.y.d);
         }
     }
 }

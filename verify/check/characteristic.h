@@ -8,11 +8,6 @@
 #include "spectrum.h"
 #include "spline.h"
 
-/* A bound of the error of c and of d. */
-struct error {
-    integer c, d;
-};
-
 /* One of the three refinable functions that are decided on: the differences
  * d1, d2 (refined by q_1 = 2 a_1, q_2 = 2 a_2) and the values (by q_0). */
 struct refinable {
@@ -20,7 +15,7 @@ struct refinable {
     struct window window[ELEMENT_KINDS];           /* those that occur */
     int shift_a, shift_b;                          /* (1,0), (0,1); (0,0): values */
     int64_t stability;                             /* T: K <= T/1024 */
-    struct error rho_x, rho_y;
+    struct pair rho;                               /* [-rho, rho]: of x, y; of c, d each */
     bool has_basis;                                /* the mask is of a box spline */
     struct basis basis[ELEMENT_KINDS];             /* those that occur */
 };

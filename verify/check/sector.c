@@ -13,6 +13,11 @@ struct affine pair_norm(struct pair v, int g)
     return affine_add(affine_mul(v.x, v.x, g), affine_mul(v.y, v.y, g));
 }
 
+struct pair pair_add(struct pair v, struct pair w)
+{
+    return (struct pair) { affine_add(v.x, w.x), affine_add(v.y, w.y) };
+}
+
 struct pair pair_divide(struct pair v, struct pair w, int g)
 {
     struct affine d = pair_norm(w, g);
@@ -242,16 +247,14 @@ static void turn(void *v, bool behind, const struct block *block)
 
 static void add_term(void *sum, const struct term *t, const void *v, const struct block *block)
 {
-    struct pair *out = sum, term = *(const struct pair *)v;
+    const struct pair *old = v;
+    struct pair *out = sum;
     int g = block->v->g;
 
-    if (!block->has_y) {
-        out->x = affine_add(out->x, affine_mul(t->m[0], term.x, g));
-        return;
-    }
-    term = apply_matrix(t->m, term, g);
-    out->x = affine_add(out->x, term.x);
-    out->y = affine_add(out->y, term.y);
+    if (block->has_y)
+        *out = pair_add(*out, apply_matrix(t->m, *old, g));
+    else
+        out->x = affine_add(out->x, affine_mul(t->m[0], old->x, g));
 }
 
 static void add_entry(void *sum, const struct stencil_entry *e, const void *v,

@@ -16,6 +16,8 @@ struct pair {
     struct affine x, y;
 };
 
+struct pair pair_add(struct pair v, struct pair w);
+
 /* v / w, both standing for x + i y; |w|^2 must not contain 0. */
 struct pair pair_divide(struct pair v, struct pair w, int g);
 
