@@ -306,22 +306,6 @@ static struct verified check_ties(const struct statement *s, const struct valenc
                                .g = c->grid };
 }
 
-static struct verified check_window(const struct statement *s, const struct valence *v,
-                                    const struct certificate *c)
-{
-    struct verified out = { .frequency = -1, .g = c->grid };
-
-    out.eigenvalue = window_prove(v, s->q, c);
-    return out;
-}
-
-static struct verified check_graded(const struct statement *s, const struct block *block,
-                                    const struct certificate *c)
-{
-    return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
-                               .eigenvalue = graded_prove(block, s->q, c) };
-}
-
 /* One eigenpair, and what its function decides.  The plain form says nothing about the form of
  * the other blocks. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
@@ -410,9 +394,11 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     if (c->version > 0)
         check_stability(s, c);
     if (c->frequency < 0)
-        return check_window(s, v, c);
+        return (struct verified) { .frequency = -1, .g = c->grid,
+                                   .eigenvalue = window_prove(v, s->q, c) };
     if (c->graded)
-        return check_graded(s, &block, c);
+        return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
+                                   .eigenvalue = graded_prove(&block, s->q, c) };
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);

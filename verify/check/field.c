@@ -106,11 +106,9 @@ static void cancel(struct number *a)
             if (a->part[i].sign != 0)
                 a->part[i] = integer_divide_floor(a->part[i], gcd);
     }
-    for (int i = 0; i < MAX_DEGREE; i++)
-        if (integer_bits(a->part[i]) > RATIONAL_BITS)
+    for (int i = -1; i < MAX_DEGREE; i++)
+        if (integer_bits(i < 0 ? a->den : a->part[i]) > RATIONAL_BITS)
             cannot_check("an exact number of more than %d bits occurs", RATIONAL_BITS);
-    if (integer_bits(a->den) > RATIONAL_BITS)
-        cannot_check("an exact number of more than %d bits occurs", RATIONAL_BITS);
 }
 
 struct number number_from(rational q)
@@ -231,20 +229,17 @@ bool number_get_rational(rational *out, const struct number *a)
     return true;
 }
 
-/* V_i(theta) */
+/* V_i(theta), from V_0 = 2 and V_(-1) = V_1 = theta on */
 static struct number chebyshev(int i, const struct field *k)
 {
-    struct number last = number_from_whole(2), theta, here;
+    struct number last, theta = number_from_whole(0), here = number_from_whole(2);
 
-    theta = number_from_whole(0);
     if (k->degree > 1)
         theta.part[1] = integer_from(1);
     else                                           /* Psi = x - theta */
         theta.part[0] = integer_negate(k->minimal[0]);
-    here = theta;
-    if (i == 0)
-        return last;
-    for (; i > 1; i--) {
+    last = theta;
+    for (; i > 0; i--) {
         struct number next = number_mul(&theta, &here, k);
 
         next = number_sub(&next, &last);

@@ -2,6 +2,8 @@
 
 #include "polynomial.h"
 
+#include <string.h>
+
 struct polynomial polynomial_make(int degree)
 {
     struct polynomial out = { .degree = degree };
@@ -50,8 +52,7 @@ struct polynomial polynomial_characteristic(const struct exact_matrix *m,
     struct polynomial out = polynomial_make(n);
     struct number *a = allocate(cells, sizeof a[0]), *new = allocate(cells, sizeof new[0]);
 
-    for (size_t i = 0; i < cells; i++)
-        a[i] = m->entry[i];
+    memcpy(a, m->entry, cells * sizeof a[0]);
     for (int i = 1; i <= n; i++) {
         struct number c = next_coefficient(a, n, i);
 
@@ -61,8 +62,7 @@ struct polynomial polynomial_characteristic(const struct exact_matrix *m,
         for (int row = 0; row < n; row++)
             for (int j = 0; j < n; j++)
                 new[row * n + j] = dot(&m->entry[row * n], &a[j], n, n, k);
-        for (size_t j = 0; j < cells; j++)
-            a[j] = new[j];
+        memcpy(a, new, cells * sizeof a[0]);
     }
     return out;
 }
@@ -106,8 +106,7 @@ void polynomial_apply(struct number *v, const struct polynomial *p,
     size_t size = (size_t)m->size;
     struct number *z = allocate(size, sizeof z[0]), *new = allocate(size, sizeof new[0]);
 
-    for (size_t i = 0; i < size; i++)
-        z[i] = v[i];
+    memcpy(z, v, size * sizeof z[0]);
     for (int power = p->degree - 1; power >= 0; power--) {
         for (size_t i = 0; i < size; i++) {
             struct number term = number_mul(&p->coefficient[power], &v[i], k);
@@ -115,11 +114,9 @@ void polynomial_apply(struct number *v, const struct polynomial *p,
             new[i] = dot(&m->entry[i * size], z, 1, m->size, k);
             new[i] = number_add(&new[i], &term);
         }
-        for (size_t i = 0; i < size; i++)
-            z[i] = new[i];
+        memcpy(z, new, size * sizeof z[0]);
     }
-    for (size_t i = 0; i < size; i++)
-        v[i] = z[i];
+    memcpy(v, z, size * sizeof v[0]);
     number_keep(mark, v, size);
 }
 
