@@ -399,76 +399,60 @@ static void read_mask_and_rules(struct reader *r)
 /* Compositions
  * ------------ */
 
-static struct source source_of(enum source_kind kind, int a, int b,
-                               const struct node *weight)
-{
-    struct source out = { .kind = kind, .a = a, .b = b, .weight = weight };
-
-    return out;
-}
-
 /* The rule of the centre: the old centre, all (1,0), and the rest to all (1,1);
  * or, without weights, all to all (1,1). */
 static const struct rule *centre_rule(const struct node *own, const struct node *edges)
 {
+    const struct source source[3] = { { .kind = SOURCE_CENTRE, .weight = own },
+                                      { .kind = SOURCE_ALL, .a = 1, .weight = edges },
+                                      { .kind = SOURCE_ALL, .a = 1, .b = 1 } };
     struct rule *out = allocate(1, sizeof *out);
 
     out->centre = true;
-    if (own != NULL) {
-        out->source[out->count++] = source_of(SOURCE_CENTRE, 0, 0, own);
-        out->source[out->count++] = source_of(SOURCE_ALL, 1, 0, edges);
-    }
-    out->rest = out->count;
-    out->source[out->count++] = source_of(SOURCE_ALL, 1, 1, NULL);
+    out->rest = own == NULL ? 0 : 2;
+    out->count = out->rest + 1;
+    memcpy(out->source, &source[2 - out->rest], (size_t)out->count * sizeof source[0]);
     return out;
 }
 
-/* The mask on the square of this side whose lowest label is (low, low). */
-static struct mask square_mask(int low, int side, const rational *weight)
+/* The mask is on the square of this side whose lowest label is (low, low). */
+static struct step make_step(enum mesh old, enum mesh new, int dilation, int low, int side,
+                             const rational *weight, const struct rule *rule)
 {
-    struct mask out = mask_new(low, low, side, side);
+    struct step out = { .old = old, .new = new, .dilation = dilation,
+                        .mask = mask_new(low, low, side, side),
+                        .rules = rule == NULL ? 0 : 1, .rule = rule };
 
-    mask_set_weights(&out, weight);
+    mask_set_weights(&out.mask, weight);
     return out;
 }
 
 static struct step refine_step(enum mesh old)
 {
     rational w[9];
-    struct step out = { .old = old, .new = QUAD, .dilation = 2 };
 
     for (int i = 0; i < 9; i++)                    /* 1 = 4/4, 1/2 = 2/4, 1/4 */
         w[i] = rational_from((i % 3 == 1 ? 2 : 1) * (i / 3 == 1 ? 2 : 1), 4);
-    out.mask = square_mask(old == DUAL ? -2 : -1, 3, w);
-    if (old == DUAL) {
-        out.rules = 1;
-        out.rule = centre_rule(NULL, NULL);
-    }
-    return out;
+    return make_step(old, QUAD, 2, old == DUAL ? -2 : -1, 3, w,
+                     old == DUAL ? centre_rule(NULL, NULL) : NULL);
 }
 
 static struct step smooth_step(rational own, rational edges, const struct node *at_centre[2])
 {
     rational diagonals = rational_sub(rational_sub(rational_from(1, 1), own), edges);
     rational four = rational_from(4, 1), w[9];
-    struct step out = { .old = QUAD, .new = QUAD, .dilation = 1, .rules = 1 };
 
     for (int i = 0; i < 9; i++)
         w[i] = rational_divide(i % 2 == 0 ? diagonals : edges, four);
     w[4] = own;
-    out.mask = square_mask(-1, 3, w);
-    out.rule = centre_rule(at_centre[0], at_centre[1]);
-    return out;
+    return make_step(QUAD, QUAD, 1, -1, 3, w, centre_rule(at_centre[0], at_centre[1]));
 }
 
 static struct step average_step(void)
 {
-    rational quarter = rational_from(1, 4);
-    rational w[4] = { quarter, quarter, quarter, quarter };
-    struct step out = { .old = QUAD, .new = DUAL, .dilation = 1 };
+    rational quarter = rational_from(1, 4), w[4] = { quarter, quarter, quarter, quarter };
 
-    out.mask = square_mask(0, 2, w);
-    return out;
+    return make_step(QUAD, DUAL, 1, 0, 2, w, NULL);
 }
 
 static struct node *number_node(rational q)

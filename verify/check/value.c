@@ -254,25 +254,21 @@ struct value value_negate(struct value v)
     return v;
 }
 
-/* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
+static bool is_odd(integer n)
+{
+    return integer_compare(integer_shift_left(integer_shift_floor(n, 1), 1), n) != 0;
+}
+
+/* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals; 0, 1, -1 do not. */
 static rational rational_power(rational q, integer n)
 {
     rational out = rational_from(1, 1);
-    bool unit = integer_compare(integer_absolute(q.num), q.den) == 0;
 
-    if (q.num.sign == 0 || (unit && q.num.sign > 0))
-        return q;
-    if (unit) {                                    /* -1 */
-        integer half = integer_shift_floor(n, 1);
-
-        return integer_compare(integer_add(half, half), n) == 0 ? out : q;
-    }
+    if (q.num.sign == 0 || integer_compare(integer_absolute(q.num), q.den) == 0)
+        return is_odd(n) ? q : rational_mul(q, q);
     for (long bit = integer_bits(n) - 1; bit >= 0; bit--) {
-        integer above = integer_shift_floor(n, bit);
-        integer half = integer_shift_floor(above, 1);
-
         out = rational_mul(out, out);
-        if (integer_compare(integer_add(half, half), above) != 0)
+        if (is_odd(integer_shift_floor(n, bit)))
             out = rational_mul(out, q);
     }
     return out;
