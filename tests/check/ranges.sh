@@ -298,15 +298,15 @@ rises nothing 0 '^verified: centre-rises is not C1 at valences 64..70 ' ''
 rises sign 1 'Krawczyk' 's/^eigenvalue /&-/'
 # What a scheme must be for this
 scaled() { CLAIM=not-c1 own sixteenth-112-inf 112..inf "$@"; }
-scaled no-rule-of-the-centre 1 'scheme: the scheme has no mask, or no rule for the centre' '/^rule centre/,/^end/d'
-scaled rule-depends-on-k 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+scaled no-rule-of-the-centre 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
+scaled rule-depends-on-k 1 'scheme: only rules of the centre may depend on k' '/^claim/i\
 rule (1,0)\
 centre 3/8 + 0/k\
 (1,0) rest\
 (1,0) @ 1 1/8\
 (1,0) @ -1 1/8\
 end'
-scaled rule-with-all-sectors 1 'scheme: only the rule of the centre may depend on k' '/^claim/i\
+scaled rule-with-all-sectors 1 'scheme: only rules of the centre may depend on k' '/^claim/i\
 rule (1,0)\
 centre 3/8\
 (1,0) rest\
@@ -314,6 +314,9 @@ centre 3/8\
 (1,0) @ -1 1/8\
 all (1,0) 0\
 end'
+CLAIM=not-c1 dual graded 1 'scheme: there is no centre' 's/^claim c1/claim not-c1/;s/^form real/reason not-c0\
+frequency 0\
+form graded/'
 scaled weight-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:k/16:& + 0*abs(1/k):'
 
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }

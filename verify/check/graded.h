@@ -8,7 +8,8 @@
 #include "sector.h"
 #include "certificate.h"
 
-/* Block 0, but for the rule of the centre, whose weights have Laurent values only; else rejects. */
+/* Block 0, but for the rules of the centre, whose weights need no values on the grid; rejects
+ * schemes that are not made for it. */
 void graded_prepare_block(struct block *out, const struct valence *v);
 
 /* Proves |l| > 1 and that its function is not 0, at each valence; returns what contains

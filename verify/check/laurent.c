@@ -22,7 +22,7 @@ rational laurent_at(const struct laurent *a, int i)
                                                      : a->c[i + LAURENT_DEGREE];
 }
 
-void laurent_add(struct laurent *a, const struct laurent *b)
+static void add(struct laurent *a, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
@@ -38,7 +38,7 @@ static void negate(struct laurent *a)
 static void subtract(struct laurent *a, const struct laurent *b)
 {
     negate(a);
-    laurent_add(a, b);
+    add(a, b);
     negate(a);
 }
 
@@ -92,7 +92,7 @@ static bool apply(void *a, char operation, void *b, const void *field)
 {
     (void)field;
     if (operation == '+')
-        laurent_add(a, b);
+        add(a, b);
     else if (operation == '-')
         subtract(a, b);
     else
@@ -148,20 +148,19 @@ void laurent_rescale(struct laurent *a, int64_t unit)
     }
 }
 
-/* Horner: z = b_n, then z = z kappa + b_i, i = n - 1 .. 0. */
-bool laurent_in_kappa(struct affine *out, const struct laurent *a, int shift, struct affine kappa,
-                      int g)
+/* Horner: z = w_d, then z = z kappa + w_i, i = d - 1 .. 0. */
+bool laurent_in_kappa(struct affine *out, const struct laurent *a, struct affine kappa, int g)
 {
-    int first = shift + LAURENT_DEGREE;
+    int first = LAURENT_DEGREE;
 
-    for (int c = -LAURENT_DEGREE; c <= LAURENT_DEGREE; c++)
-        if (c > shift && laurent_at(a, c).num.sign != 0)
+    for (int i = 1; i <= LAURENT_DEGREE; i++)
+        if (laurent_at(a, i).num.sign != 0)
             return false;
-    while (first > 0 && laurent_at(a, shift - first).num.sign == 0)
+    while (first > 0 && laurent_at(a, -first).num.sign == 0)
         first--;
     *out = affine_from_whole(0, g);
     for (int i = first; i >= 0; i--)
         *out = affine_add(affine_mul(*out, kappa, g),
-                          affine_from(grid_from_rational(laurent_at(a, shift - i), g)));
+                          affine_from(grid_from_rational(laurent_at(a, -i), g)));
     return true;
 }

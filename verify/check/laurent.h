@@ -17,16 +17,13 @@ struct laurent {
  * has none. */
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e);
 
-void laurent_add(struct laurent *a, const struct laurent *b);
-
 /* In units of `unit`: the coefficients of (k/unit)^i. */
 void laurent_rescale(struct laurent *a, int64_t unit);
 
 /* The coefficient of k^i. */
 rational laurent_at(const struct laurent *a, int i);
 
-/* a kappa^shift, 1/kappa in the place of k; false if that has a negative exponent of kappa. */
-bool laurent_in_kappa(struct affine *out, const struct laurent *a, int shift, struct affine kappa,
-                      int g);
+/* 1/kappa in the place of k; false if that has a negative exponent of kappa. */
+bool laurent_in_kappa(struct affine *out, const struct laurent *a, struct affine kappa, int g);
 
 #endif

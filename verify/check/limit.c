@@ -30,7 +30,7 @@ static void weigh_centre(const struct limit *l, struct active_rule *rule)
         int at_infinity = r->source[i].kind == SOURCE_CENTRE ? 1 : 0;
 
         out[i] = rule->weighted[i];
-        if (!laurent_in_kappa(&out[i].weight, &w[i], 0, l->kappa, l->v->g))
+        if (!laurent_in_kappa(&out[i].weight, &w[i], l->kappa, l->v->g))
             reject(l, "a weight of the centre grows with k");
         if (!rational_equals(laurent_at(&w[i], 0), at_infinity, 1))
             reject(l, "the centre does not keep its value at k = inf");

@@ -35,6 +35,7 @@ CHECK_SOURCES = \
   verify/check/characteristic.h verify/check/characteristic.c \
   verify/check/decide.h verify/check/decide.c \
   verify/check/window.h verify/check/window.c \
+  verify/check/graded_net.h verify/check/graded_net.c \
   verify/check/graded.h verify/check/graded.c \
   verify/check/exact_formula.h verify/check/exact_formula.c \
   verify/check/exact_block.h verify/check/exact_block.c \

@@ -227,9 +227,7 @@ struct net net_subdivide(const struct net *old, const struct block *block, int r
     int needs[MAX_STEPS + 1];
     struct net net = *old;
 
-    needs[scheme->steps] = rings;
-    for (int i = scheme->steps - 1; i >= 0; i--)
-        needs[i] = step_needs(&scheme->step[i], needs[i + 1]);
+    scheme_list_needs(needs, scheme, rings);
     for (int i = 0; i < scheme->steps; i++)
         net = apply_step(&net, block, i, needs[i + 1]);
     return net;
@@ -415,11 +413,19 @@ static void prepare_rules(struct block *out)
 /* Unknowns
  * -------- */
 
+void scheme_list_needs(int needs[MAX_STEPS + 1], const struct scheme *scheme, int j)
+{
+    needs[scheme->steps] = j;
+    for (int i = scheme->steps - 1; i >= 0; i--)
+        needs[i] = step_needs(&scheme->step[i], needs[i + 1]);
+}
+
 int scheme_needs(const struct scheme *scheme, int j)
 {
-    for (int i = scheme->steps - 1; i >= 0; i--)
-        j = step_needs(&scheme->step[i], j);
-    return j;
+    int needs[MAX_STEPS + 1];
+
+    scheme_list_needs(needs, scheme, j);
+    return needs[0];
 }
 
 /* Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
