@@ -47,42 +47,6 @@ static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 /* The net
  * ------- */
 
-static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
-{
-    struct pair l = { pair->real, pair->imaginary };
-
-    if (!real)
-        return pair_divide(v, l, g);
-    v.x = affine_div(v.x, l.x, g);
-    v.y = affine_div(v.y, l.x, g);
-    return v;
-}
-
-/* The net with more rings: V is an eigenvector of the scheme on the whole complex, so
- * V = (new value)/L wherever new values use known ones only. */
-static struct net extend_net(const struct net *old, const struct block *block,
-                             const struct eigenpair *pair, int rings)
-{
-    enum mesh mesh = old->mesh;
-    struct net out, new;
-
-    while (scheme_needs(block->v->scheme, rings) > old->rings)
-        rings--;
-    if (rings <= old->rings)
-        cannot_check("the checker cannot extend the characteristic net");
-    out = net_make(mesh, rings);
-    if (block->plain && mesh != DUAL)              /* which keeps it */
-        net_set(&out, 0, 0, net_value(old, block, 0, 0));
-    new = net_subdivide(old, block, rings);
-    for (int a = 1; a <= rings; a++)
-        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
-            net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
-                ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real || !block->has_y,
-                         block->v->g));
-    return out;
-}
-
 struct pair characteristic_at(const struct characteristic *c, const struct refinable *f,
                               int a, int b)
 {
@@ -215,6 +179,6 @@ void characteristic_prepare(struct characteristic *out, const struct block *bloc
     characteristic_begin(out, block, q, certificate);
     net_set_unknowns(&net, block, pair->unknowns);
     while (net.rings < out->rings)
-        net = extend_net(&net, block, pair, out->rings);
+        net = net_extend(&net, block, (struct pair) { pair->real, pair->imaginary }, out->rings);
     characteristic_use(out, &net);
 }

@@ -52,7 +52,7 @@ static struct exact_pair image(const struct number m[4], const struct exact_pair
 
 static void turn(void *v, bool behind, const struct block *block)
 {
-    const struct exact_turns *t = block->exact;
+    const struct exact_turns *t = block->own;
 
     *(struct exact_pair *)v = image(behind ? t->turn : t->back, v, t->k);
 }
@@ -64,6 +64,11 @@ static void add_multiple(struct exact_pair *sum, const struct number *weight,
     add_product(&sum->y, weight, &v->y, k);
 }
 
+static const struct field *exact_field(const struct block *block)
+{
+    return ((const struct exact_turns *)block->own)->k;
+}
+
 /* A source of one sector contributes its weight times T^sectors. */
 static void add_term(void *sum, const struct term *t, const void *v, const struct block *block)
 {
@@ -72,7 +77,7 @@ static void add_term(void *sum, const struct term *t, const void *v, const struc
 
     for (int n = 0; n < abs(sectors); n++)
         turn(&turned, sectors > 0, block);
-    add_multiple(sum, t->exact, &turned, block->exact->k);
+    add_multiple(sum, t->own, &turned, exact_field(block));
 }
 
 static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
@@ -80,10 +85,11 @@ static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
 {
     struct number weight = number_from(e->exact);
 
-    add_multiple(sum, &weight, v, block->exact->k);
+    add_multiple(sum, &weight, v, exact_field(block));
 }
 
-static const struct arithmetic EXACT = { sizeof(struct exact_pair), turn, add_term, add_entry };
+static const struct arithmetic EXACT = { sizeof(struct exact_pair), turn, add_term, add_entry, NULL,
+                                         NULL };
 
 static void prepare_turns(struct computation *c)
 {
@@ -157,7 +163,7 @@ static void prepare_rule(struct block_rule *out, const struct rule *rule, struct
         const struct source *s = out->term[i].source;
         struct number *own = &weight[s - rule->source];
 
-        out->term[i].exact = own;
+        out->term[i].own = own;
         if (c->block.plain)
             continue;
         if (s->kind == SOURCE_EACH || s->imaginary != NULL)
@@ -232,7 +238,7 @@ struct exact_matrix exact_block(const struct block *block, const struct field *k
     struct number *column = allocate(n, sizeof column[0]);
 
     c->block = *block;
-    c->block.exact = &c->turns;
+    c->block.own = &c->turns;
     c->turns.k = k;
     c->line = line;
     prepare_turns(c);

@@ -205,6 +205,8 @@ static void find_new_value(void *sum, const struct net *old, const struct block 
         old->of->add_entry(sum, e, net_find(old, block, (a - e->a) / s->dilation,
                                             (b - e->b) / s->dilation), block);
     }
+    if (old->of->finish != NULL)
+        old->of->finish(sum, block);
 }
 
 static struct net apply_step(const struct net *old, const struct block *block, int step,
@@ -233,17 +235,42 @@ struct net net_subdivide(const struct net *old, const struct block *block, int r
     return net;
 }
 
+struct net net_extend(const struct net *old, const struct block *block, struct pair l, int rings)
+{
+    enum mesh mesh = old->mesh;
+    struct net out;
+
+    while (scheme_needs(block->v->scheme, rings) > old->rings)
+        rings--;
+    if (rings <= old->rings)
+        cannot_check("the checker cannot extend the characteristic net");
+    out = net_subdivide(old, block, rings);
+    if (block->plain && mesh != DUAL)
+        memcpy(net_add(&out, 0, 0), net_find(old, block, 0, 0), old->of->size);
+    for (int a = 1; a <= rings; a++) {
+        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++) {
+            void *here = net_add(&out, a, b);
+
+            if (label_ring(mesh, a, b) <= old->rings)
+                memcpy(here, net_find(old, block, a, b), old->of->size);
+            else
+                old->of->divide(here, l, block);
+        }
+    }
+    return out;
+}
+
 /* Nets of affine numbers
  * ---------------------- */
 
-static void turn(void *v, bool behind, const struct block *block)
+static void turn_pair(void *v, bool behind, const struct block *block)
 {
     struct pair *out = v;
 
     *out = apply_matrix(behind ? block->turn : block->back, *out, block->v->g);
 }
 
-static void add_term(void *sum, const struct term *t, const void *v, const struct block *block)
+static void add_pair_term(void *sum, const struct term *t, const void *v, const struct block *block)
 {
     const struct pair *old = v;
     struct pair *out = sum;
@@ -255,8 +282,8 @@ static void add_term(void *sum, const struct term *t, const void *v, const struc
         out->x = affine_add(out->x, affine_mul(t->m[0], old->x, g));
 }
 
-static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
-                      const struct block *block)
+static void add_pair_entry(void *sum, const struct stencil_entry *e, const void *v,
+                           const struct block *block)
 {
     const struct pair *old = v;
     struct pair *out = sum;
@@ -266,7 +293,20 @@ static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
         affine_add_multiple(&out->y, e->weight, &old->y, block->v->g);
 }
 
-static const struct arithmetic AFFINE = { sizeof(struct pair), turn, add_term, add_entry };
+static void divide_pair(void *v, struct pair l, const struct block *block)
+{
+    struct pair *out = v;
+
+    if (!block->real && block->has_y) {
+        *out = pair_divide(*out, l, block->v->g);
+        return;
+    }
+    out->x = affine_div(out->x, l.x, block->v->g);
+    out->y = affine_div(out->y, l.x, block->v->g);
+}
+
+static const struct arithmetic AFFINE = { sizeof(struct pair), turn_pair, add_pair_term,
+                                          add_pair_entry, NULL, divide_pair };
 
 struct net net_make(enum mesh mesh, int rings)
 {

@@ -42,10 +42,15 @@ struct arithmetic {
     size_t size;
     void (*turn)(void *v, bool behind, const struct block *block);     /* T v; T^-1 v */
 
-    /* The sum gets a source of a rule, or a point of the mask, whose value is v. */
+    /* The sum gets a source of a rule, or a point of the mask, whose value is v; (or NULL:) and
+     * what is done with the sum of all. */
     void (*add_term)(void *sum, const struct term *t, const void *v, const struct block *block);
     void (*add_entry)(void *sum, const struct stencil_entry *e, const void *v,
                       const struct block *block);
+    void (*finish)(void *sum, const struct block *block);
+
+    /* v := v / l, the eigenvalue; NULL where no net is extended. */
+    void (*divide)(void *v, struct pair l, const struct block *block);
 };
 
 /* Values on the rings 1..rings of the sector, at the centre (0,0) if there is one, and, found by
@@ -74,7 +79,7 @@ struct unknown {
 struct term {
     const struct source *source;
     struct affine m[4];                            /* m0 m1; m2 m3 */
-    const struct number *exact;                    /* the weight (exact_block.h) */
+    const void *own;                               /* its weight, for other arithmetics */
 };
 
 struct block_rule {
@@ -94,7 +99,7 @@ struct block {
     int n;                                         /* number of unknowns */
     int size;                                      /* of the real matrix: N */
     struct unknown *unknown;
-    const struct exact_turns *exact;               /* for nets of exact_block.c */
+    void *own;                                     /* what other arithmetics need */
 };
 
 /* R of a scheme. */
@@ -138,5 +143,9 @@ const void *net_find(const struct net *net, const struct block *block, int a, in
 
 /* The net after one subdivision, on the rings 1..rings. */
 struct net net_subdivide(const struct net *old, const struct block *block, int rings);
+
+/* The net of an eigenvector, at l, with that many rings or as many as follow from those of the old
+ * one: V = (new value)/l, as V is an eigenvector of the scheme on the whole complex. */
+struct net net_extend(const struct net *old, const struct block *block, struct pair l, int rings);
 
 #endif
