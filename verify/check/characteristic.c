@@ -113,25 +113,19 @@ static void prepare_basis(struct refinable *f, const struct spline *s,
                                       &f->window[kind], g);
 }
 
-static bool has_letter(const struct trees *t, char letter)
-{
-    return t->size > 0 && memchr(t->word, letter, t->size) != NULL;
-}
-
 static void prepare_bases(struct characteristic *out, const struct mask *mask, int g,
                           const struct certificate *c)
 {
-    struct spline s, s1, s2;
+    struct spline s, derivative;
 
     if (!spline_find(&s, mask, out->mesh))
         return;
-    s1 = spline_derivative(&s, 0);
-    s2 = spline_derivative(&s, 1);
-    if (has_letter(&c->boundary, '2'))
-        prepare_basis(&out->value, &s, out, true, g);
-    if (has_letter(&c->regularity, '2')) {
-        prepare_basis(&out->first, &s1, out, false, g);
-        prepare_basis(&out->second, &s2, out, false, g);
+    for (int i = 0; i < 3; i++) {
+        const struct trees *t = i == 0 ? &c->boundary : &c->regularity;
+
+        derivative = i == 0 ? s : spline_derivative(&s, i - 1);
+        if (t->size > 0 && memchr(t->word, '2', t->size) != NULL)
+            prepare_basis(&out->f[i], &derivative, out, i == 0, g);
     }
 }
 
@@ -146,13 +140,11 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
     out->block = block;
     out->mesh = mesh;
     out->version_0 = c->version == 0;
-    prepare_refinable(&out->value, &q[0], c->stability[0], 0, 0, mesh, g);
-    prepare_refinable(&out->first, &q[1], c->stability[1], 1, 0, mesh, g);
-    prepare_refinable(&out->second, &q[2], c->stability[2], 0, 1, mesh, g);
     for (int i = 0; i < 3; i++) {
-        const struct refinable *f[3] = { &out->value, &out->first, &out->second };
-        int reach = used_reach(f[i], mesh);
+        int reach;
 
+        prepare_refinable(&out->f[i], &q[i], c->stability[i], i == 1, i == 2, mesh, g);
+        reach = used_reach(&out->f[i], mesh);
         omega = reach > omega ? reach : omega;
     }
     out->radius = ring_radius(mesh, omega, h, scheme_influence(scheme));
@@ -165,9 +157,9 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
 void characteristic_use(struct characteristic *c, const struct net *net)
 {
     c->net = *net;
-    collect_rho(&c->value, c, c->segment, c->segments);
-    collect_rho(&c->first, c, c->element, c->elements);
-    collect_rho(&c->second, c, c->element, c->elements);
+    collect_rho(&c->f[0], c, c->segment, c->segments);
+    collect_rho(&c->f[1], c, c->element, c->elements);
+    collect_rho(&c->f[2], c, c->element, c->elements);
 }
 
 void characteristic_prepare(struct characteristic *out, const struct block *block,

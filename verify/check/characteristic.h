@@ -24,7 +24,7 @@ struct characteristic {
     const struct block *block;                     /* m = 1 */
     enum mesh mesh;
     bool version_0;                                /* how boxes are widened */
-    struct refinable value, first, second;         /* values, d1, d2 */
+    struct refinable f[3];                         /* values, d1, d2 */
     int radius;                                    /* r */
     int elements, segments;                        /* of regularity, of the boundary */
     struct element *element, *segment;

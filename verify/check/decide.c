@@ -307,7 +307,7 @@ static struct tree make_tree(const struct characteristic *c, const struct certif
         .elements = of_jacobian ? c->elements : c->segments,
         .element = of_jacobian ? c->element : c->segment,
         .functions = of_jacobian ? 2 : 1,
-        .f = { of_jacobian ? &c->first : &c->value, &c->second }
+        .f = { &c->f[of_jacobian ? 1 : 0], &c->f[2] }
     };
 
     return out;

@@ -126,7 +126,7 @@ static int least_exponent(const struct net *net, const struct characteristic *c)
 
     for (int i = 0; i < c->segments; i++) {
         const struct element *e = &c->segment[i];
-        const struct window *w = &c->value.window[e->kind];
+        const struct window *w = &c->f[0].window[e->kind];
 
         for (int n = 0; n < w->count; n++) {
             const struct graded_value *here = net_find(net, c->block, e->a + w->label[n].a,
