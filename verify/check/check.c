@@ -5,13 +5,11 @@
 #include "answer.h"
 #include "certificate.h"
 #include "characteristic.h"
-#include "decide.h"
-#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
 #include "text.h"
 #include "ties.h"
-#include "window.h"
+#include "valences.h"
 
 #include <string.h>
 

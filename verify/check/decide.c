@@ -9,7 +9,7 @@
  *     new(x) = sum over y of q(x + (a,b) - 2y) old(y).
  */
 
-#include "decide.h"
+#include "characteristic.h"
 
 #include "answer.h"
 

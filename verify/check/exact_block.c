@@ -1,6 +1,6 @@
 /* Exact blocks: section 3 of exact.md.  Sector nets as in sector.c, over a field of cosines. */
 
-#include "exact_block.h"
+#include "polynomial.h"
 
 #include "answer.h"
 #include "exact_formula.h"

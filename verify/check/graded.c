@@ -6,8 +6,8 @@
 #include "graded.h"
 
 #include "answer.h"
-#include "decide.h"
-#include "graded_net.h"
+#include "characteristic.h"
+#include "valences.h"
 
 #include <limits.h>
 

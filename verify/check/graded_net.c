@@ -1,6 +1,6 @@
 /* Graded values: certificate-valences.md, section 6, "Growing without bound". */
 
-#include "graded_net.h"
+#include "graded.h"
 
 #include "answer.h"
 

@@ -1,6 +1,6 @@
 /* Block 0 where it tends to block 1: certificate-valences.md, section 4, "Limit". */
 
-#include "limit.h"
+#include "valences.h"
 
 #include "answer.h"
 #include "laurent.h"

@@ -1,9 +1,20 @@
 #ifndef CHECK_POLYNOMIAL_H
 #define CHECK_POLYNOMIAL_H
 
-/* Polynomials over a field of cosines, and matrices put into them: section 4 of exact.md. */
+/* Matrices and polynomials over a field of cosines: sections 3 and 4 of exact.md. */
 
-#include "exact_block.h"
+#include "field.h"
+#include "sector.h"
+
+/* size x size, row by row. */
+struct exact_matrix {
+    int size;
+    struct number *entry;
+};
+
+/* The matrix M of a block in the real form, or (m = 0) the plain one without the constant net.
+ * What has no exact value in the field: rejected, at that line of the certificate. */
+struct exact_matrix exact_block(const struct block *block, const struct field *k, int line);
 
 /* coefficient[0] + coefficient[1] x + ... , coefficient[degree] = 1: monic, always. */
 struct polynomial {

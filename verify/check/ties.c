@@ -3,7 +3,7 @@
 #include "ties.h"
 
 #include "answer.h"
-#include "decide.h"
+#include "characteristic.h"
 #include "polynomial.h"
 
 #include <string.h>

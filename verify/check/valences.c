@@ -6,7 +6,6 @@
 #include "valences.h"
 
 #include "answer.h"
-#include "limit.h"
 
 enum { Q_BITS = 48 };
 

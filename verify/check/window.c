@@ -1,9 +1,9 @@
 /* Refutations by a window of frequencies: section 6 of certificate-valences.md. */
 
-#include "window.h"
+#include "valences.h"
 
 #include "answer.h"
-#include "decide.h"
+#include "characteristic.h"
 
 /* From q on: the eigenpair of each block, the rest of it below R, no zero on the curve. */
 static interval prove_wave(const struct valence *v, int64_t q, const struct rise *wave,
