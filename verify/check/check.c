@@ -200,29 +200,27 @@ static void check_rest(const struct proved_pair *proved, int count, const struct
                        bool real, interval s, const struct certificate *c)
 {
     const char *name = c->version == 0 ? "power" : "block";
-    bool *done = allocate((size_t)c->blocks, sizeof done[0]);
 
-    for (int n = 0; n < count; n++) {
-        for (int i = 0; i < c->blocks; i++) {
-            if (c->block[i].m.first == proved[n].choices->frequency) {
-                spectrum_prove_rest(&proved[n].pair, &c->block[i], name, proved[n].choices);
-                done[i] = true;
-            }
-        }
-    }
-    for (int i = 0; i < c->blocks; i++) {
+    for (int i = 0; i < 2 * c->blocks; i++) {
+        const struct block_record *record = &c->block[i % c->blocks];
         struct mark mark = scratch_mark();
         struct valence v = *valence;
-        struct span m = c->block[i].m;
+        struct span m = record->m;
+        const struct proved_pair *own = NULL;
         struct block other;
 
-        if (done[i])
+        for (int n = 0; n < count; n++)
+            if (m.first == proved[n].choices->frequency)
+                own = &proved[n];
+        if (i < c->blocks && own != NULL)
+            spectrum_prove_rest(&own->pair, record, name, own->choices);
+        if (i < c->blocks || own != NULL)
             continue;
-        v.reference.line = c->block[i].line;
+        v.reference.line = record->line;
         if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
             m.first--;                             /* a box of its own is too long */
         block_prepare(&other, &v, real, m);
-        spectrum_prove_block(&other, s, &c->block[i], name, c);
+        spectrum_prove_block(&other, s, record, name, c);
         scratch_release(mark);
     }
 }

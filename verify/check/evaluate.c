@@ -95,8 +95,11 @@ struct value evaluate(const struct node *f, const struct environment *e)
 
     switch (f->kind) {
     case NODE_NUMBER:
+        out = value_from(f->number);
+        break;
     case NODE_PI:
-        out = value_constant(f);
+        out = value_from(rational_from(1, 1));
+        out.kind = ANGLE;
         break;
     case NODE_K:
         out = value_variable(e->k, span_is_several(e->k), f);

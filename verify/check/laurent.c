@@ -22,24 +22,12 @@ rational laurent_at(const struct laurent *a, int i)
                                                      : a->c[i + LAURENT_DEGREE];
 }
 
-static void add(struct laurent *a, const struct laurent *b)
+/* a + q b */
+static void add_multiple(struct laurent *a, int q, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
-            a->c[i] = rational_add(a->c[i], b->c[i]);
-}
-
-static void negate(struct laurent *a)
-{
-    for (int i = 0; i < SIZE; i++)
-        a->c[i] = rational_negate(a->c[i]);
-}
-
-static void subtract(struct laurent *a, const struct laurent *b)
-{
-    negate(a);
-    add(a, b);
-    negate(a);
+            a->c[i] = rational_add(a->c[i], rational_mul(rational_from(q, 1), b->c[i]));
 }
 
 /* False beyond the largest degree. */
@@ -91,12 +79,9 @@ static void set(void *out, rational q)
 static bool apply(void *a, char operation, void *b, const void *field)
 {
     (void)field;
-    if (operation == '+')
-        add(a, b);
-    else if (operation == '-')
-        subtract(a, b);
-    else
+    if (operation == '*' || operation == '/')
         return (operation == '*' || invert(b)) && multiply(a, b);
+    add_multiple(a, operation == '+' ? 1 : -1, b);
     return true;
 }
 
@@ -131,7 +116,7 @@ bool laurent_weights(struct laurent *out, const struct rule *rule, const struct 
             continue;
         if (!ring_value(&out[i], rule->source[i].weight, e, &ring))
             return false;
-        subtract(rest, &out[i]);
+        add_multiple(rest, -1, &out[i]);
     }
     return true;
 }

@@ -194,8 +194,7 @@ static void read_sector_point(int *a, int *b, struct cursor *c, enum mesh mesh)
 
 struct mask_reader {
     struct mask mask;
-    rational weight[MASK_SIDE * MASK_SIDE];
-    bool named[MASK_SIDE * MASK_SIDE];
+    rational weight[MASK_SIDE * MASK_SIDE];        /* 0/0: none is named */
     enum mesh mesh;
 };
 
@@ -215,14 +214,12 @@ static void name_point(struct mask_reader *m, int a, int b, bool symmetric, rati
 
     for (int i = 0; i < images; i++) {
         cell[i] = i < turns ? cell_number(m, a, b) : cell_number(m, b, a);
-        if (m->named[cell[i]])
+        if (m->weight[cell[i]].den.sign != 0)
             cursor_error(place, "expected a point that has no weight yet");
         label_rotate(m->mesh, &a, &b);
     }
-    for (int i = 0; i < images; i++) {
-        m->named[cell[i]] = true;
+    for (int i = 0; i < images; i++)
         m->weight[cell[i]] = w;
-    }
 }
 
 static void read_mask_entry(struct mask_reader *m, struct cursor *c, bool symmetric,
@@ -254,8 +251,6 @@ static struct mask read_mask(struct reader *r)
     m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE, MASK_SIDE);
     if (m->mesh == DUAL)                           /* -15/2 .. 15/2: -8 .. 7 */
         m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE - 1, MASK_SIDE - 1);
-    for (int i = 0; i < MASK_SIDE * MASK_SIDE; i++)
-        m->weight[i] = rational_from(0, 1);
     for (;;) {
         statements_next(&c, &r->s, "expected a point and its weight, or `end`");
         if (cursor_accept_word(&c, "end"))
@@ -264,6 +259,9 @@ static struct mask read_mask(struct reader *r)
     }
     cursor_expect_end(&c);
 
+    for (int i = 0; i < MASK_SIDE * MASK_SIDE; i++)
+        if (m->weight[i].den.sign == 0)
+            m->weight[i] = rational_from(0, 1);
     mask_set_weights(&m->mask, m->weight);
     fault = mask_fault(&m->mask, m->mesh);
     if (fault != NULL)

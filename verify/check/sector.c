@@ -484,11 +484,7 @@ int scheme_rings(const struct scheme *scheme)
 
 static void add_unknown(struct block *out, int a, int b, enum unknown_kind kind)
 {
-    struct unknown *unknown = &out->unknown[out->n++];
-
-    unknown->a = a;
-    unknown->b = b;
-    unknown->kind = kind;
+    out->unknown[out->n++] = (struct unknown) { a, b, kind };
 }
 
 static void add_unknowns_at(struct block *out, int a, int b)
@@ -529,31 +525,20 @@ void net_set_unknowns(struct net *out, const struct block *block,
     int g = block->v->g;
 
     for (int i = 0; i < block->n; i++) {
-        int a = block->unknown[i].a, b = block->unknown[i].b;
+        const struct unknown *at = &block->unknown[i];
         struct pair value = { unknowns[i], zero };
 
         if (block->has_y && !block->real)
             value.y = unknowns[i + block->n];
-        switch (block->unknown[i].kind) {
-        case UNKNOWN_PLAIN:
-        case UNKNOWN_SPOKE:
-        case UNKNOWN_COMPLEX:
-            net_set(out, a, b, value);
-            break;
-        case UNKNOWN_BISECTOR:
-            value.x = affine_mul(block->u, unknowns[i], g);
-            value.y = unknowns[i];
-            net_set(out, a, b, value);
-            break;
-        case UNKNOWN_X:                            /* UNKNOWN_Y is unknown i + 1 */
+        if (at->kind == UNKNOWN_BISECTOR)
+            value = (struct pair) { affine_mul(block->u, unknowns[i], g), unknowns[i] };
+        if (at->kind == UNKNOWN_X)                 /* UNKNOWN_Y is unknown i + 1 */
             value.y = unknowns[i + 1];
-            net_set(out, a, b, value);
-            value.y = affine_minus(value.y);       /* V(b,a) = T (x, -y) */
-            net_set(out, b, a, apply_matrix(block->turn, value, g));
-            break;
-        case UNKNOWN_Y:
-            break;
-        }
+        if (at->kind != UNKNOWN_Y)
+            net_set(out, at->a, at->b, value);
+        value.y = affine_minus(value.y);
+        if (at->kind == UNKNOWN_X)                 /* V(b,a) = T (x, -y) */
+            net_set(out, at->b, at->a, apply_matrix(block->turn, value, g));
     }
 }
 

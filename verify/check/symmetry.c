@@ -199,18 +199,19 @@ static bool is_image(const struct source *s, const struct source *t, const struc
     reflect(mesh, &a, &b);
     if (s->kind != t->kind || !same_optional(s->weight, t->weight, l))
         return false;
-    switch (s->kind) {
-    case SOURCE_CENTRE:
+    if (s->kind == SOURCE_CENTRE)
         return true;
+    if (t->a != a || t->b != b)
+        return false;
+    switch (s->kind) {
     case SOURCE_ALL:
-        return t->a == a && t->b == b;
+        return true;
     case SOURCE_ONE:
-        return t->a == a && t->b == b && same_sector(rule, t->sectors, sectors);
+        return same_sector(rule, t->sectors, sectors);
     case SOURCE_EACH:
-        return t->a == a && t->b == b && spoke == rule_on_spoke && is_even(s->weight, l);
+        return spoke == rule_on_spoke && is_even(s->weight, l);
     default:
-        return t->a == a && t->b == b && spoke == rule_on_spoke &&
-               s->imaginary == NULL && t->imaginary == NULL;
+        return spoke == rule_on_spoke && s->imaginary == NULL && t->imaginary == NULL;
     }
 }
 

@@ -50,14 +50,6 @@ struct value value_enclosure(interval x)
     return out;
 }
 
-struct value value_constant(const struct node *f)
-{
-    struct value out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
-
-    out.kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
-    return out;
-}
-
 struct value value_variable(struct span span, bool divides, const struct node *at)
 {
     struct value out = value_from(rational_from(span.first, 1));
