@@ -78,8 +78,7 @@ static void collect_rho(struct refinable *f, const struct characteristic *c,
         const struct window *window = &f->window[element[i].kind];
 
         for (int n = 0; n < window->count; n++) {
-            struct pair value = characteristic_at(c, f,
-                                                  element[i].a + window->label[n].a,
+            struct pair value = characteristic_at(c, f, element[i].a + window->label[n].a,
                                                   element[i].b + window->label[n].b);
 
             add_error(&f->rho.x.c, value.x.c);

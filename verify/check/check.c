@@ -15,8 +15,7 @@
 
 enum { MAX_SCHEME_BYTES = 65536, MAX_CERTIFICATE_BYTES = 1 << 26 };
 
-/* What has been proved of q_i, or of the pair (d,d') number i: the last choices that
- * did. */
+/* What has been proved of q_i, or of the pair (d,d') number i: the last choices that did. */
 struct proved {
     int contraction[3];
     int stability_power[3];
@@ -83,8 +82,7 @@ const char *statement_scheme_name(const struct statement *s)
     return s->scheme.name;
 }
 
-static void compare_subject(const struct certificate *c, const struct statement *s,
-                            struct span k)
+static void compare_subject(const struct certificate *c, const struct statement *s, struct span k)
 {
     size_t same = 0;
     int line = c->line_of.scheme + 1;
@@ -98,8 +96,7 @@ static void compare_subject(const struct certificate *c, const struct statement 
     if (same < s->canonical_size || same < c->scheme_size)
         rejected(c->file, line, "scheme: expected the text of the given scheme");
     if (c->claim != (s->not_c1 ? CLAIM_NOT_C1 : CLAIM_C1))
-        rejected(c->file, c->line_of.claim, "claim: expected %s",
-                 s->not_c1 ? "not-c1" : "c1");
+        rejected(c->file, c->line_of.claim, "claim: expected %s", s->not_c1 ? "not-c1" : "c1");
     if (c->valence.first != k.first || c->valence.last != k.last)
         rejected(c->file, c->line_of.valence, "valence: expected %s", span_text(k));
 }
@@ -167,8 +164,7 @@ static void check_stability(struct statement *s, const struct certificate *c)
         if (s->proved.stability_power[i] == n && s->proved.stability[i] == t)
             continue;
         if (n < 1 || t <= 1024 || !stability_holds(&s->q[i], n, t))
-            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d",
-                     (long long)t, i);
+            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d", (long long)t, i);
         s->proved.stability_power[i] = n;
         s->proved.stability[i] = t;
     }
@@ -327,8 +323,7 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 }
 
 /* The block that the certificate's choices are about. */
-static void prepare_block(struct block *out, const struct valence *v,
-                          const struct certificate *c)
+static void prepare_block(struct block *out, const struct valence *v, const struct certificate *c)
 {
     if (c->graded)
         graded_prepare_block(out, v);
@@ -382,8 +377,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     prepare_block(&block, v, c);
     for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
         n_second[m] = unknowns(v, m);
-    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
-                             n_second);
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n, n_second);
     certificate_read_end(c);
 
     check_contraction(s, c);

@@ -1,10 +1,9 @@
 /* The decisions: section 8 of certificate.md.
  *
- * An element is decided with a function (boundary: the values) or two
- * (regularity: d1 and d2).  A patch holds, for an element, the intervals of one
- * function on the element's window.  The patch of a child comes from that of its
- * parent by the refinement rule: with the anchor of the child at twice the anchor
- * of the parent plus (a,b), relative labels are related by
+ * An element is decided with a function (boundary: the values) or two (regularity: d1 and d2).  A
+ * patch holds, for an element, the intervals of one function on the element's window.  The patch of
+ * a child comes from that of its parent by the refinement rule: with the anchor of the child at
+ * twice the anchor of the parent plus (a,b), relative labels are related by
  *
  *     new(x) = sum over y of q(x + (a,b) - 2y) old(y).
  */
@@ -125,8 +124,7 @@ static struct patches refine_patches(const struct tree *t, const struct patches 
 /* Leaves
  * ------ */
 
-/* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by
- * rho. */
+/* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by rho. */
 static interval widened(interval hull, interval rho, const struct refinable *f, bool version_0)
 {
     integer mid = interval_mid(hull), e;
@@ -193,8 +191,7 @@ static const struct pair *coefficient(const struct leaf *l, int n, int i, int j)
 {
     const struct basis *b = l->basis[n];
 
-    return i >= 0 && j >= 0 && basis_has(b, l->kind, i, j) ? &l->value[n][i * b->side_b + j]
-                                                           : NULL;
+    return i >= 0 && j >= 0 && basis_has(b, l->kind, i, j) ? &l->value[n][i * b->side_b + j] : NULL;
 }
 
 /* What leaves show

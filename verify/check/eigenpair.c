@@ -80,8 +80,7 @@ static void read_choices(struct krawczyk *s, const struct choices *c, integer ra
         }
     }
     for (size_t i = 0; i < size * size; i++)       /* exact, since g >= 64 */
-        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i],
-                                                         s->g - INVERSE_BITS));
+        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i], s->g - INVERSE_BITS));
 }
 
 /* f = M x~ - L~ x~ */
@@ -127,8 +126,7 @@ static void compute_slope(struct krawczyk *s)
 /* E_il, E = 1 - Y G */
 static interval defect(const struct krawczyk *s, int i, int l)
 {
-    interval product = spectrum_dot(&s->inverse[i * s->size], &s->slope[l], s->size, s->size,
-                                    s->g);
+    interval product = spectrum_dot(&s->inverse[i * s->size], &s->slope[l], s->size, s->size, s->g);
 
     return interval_sub(grid_from(i == l ? 1 : 0, s->g), product);
 }
@@ -156,8 +154,7 @@ static void prove_inclusion(const struct krawczyk *s, integer radius, const char
         struct mark mark = scratch_mark();
         interval image = compute_image(s, i, box);
 
-        if (integer_compare(image.lo, box.lo) <= 0 ||
-            integer_compare(image.hi, box.hi) >= 0)
+        if (integer_compare(image.lo, box.lo) <= 0 || integer_compare(image.hi, box.hi) >= 0)
             rejected(file, line,
                      "%s: the Krawczyk operator does not map the box into "
                      "its interior (component %d)", name, i + 1);
@@ -182,8 +179,7 @@ static struct krawczyk prove_box(const interval *matrix, const struct choices *c
     read_choices(&s, choices, radius);
     compute_residual(&s);
     compute_slope(&s);
-    prove_inclusion(&s, radius, c->file,
-                    range ? choices->line_of.range : choices->line_of.radius,
+    prove_inclusion(&s, radius, c->file, range ? choices->line_of.range : choices->line_of.radius,
                     range ? "range" : "radius");
     return s;
 }
@@ -198,8 +194,7 @@ static interval *right_hand_side(const struct krawczyk *s, const struct affine *
 
     for (int i = 0; i < s->size; i++) {
         for (int j = 0; j < s->size; j++)
-            out[i] = spectrum_add_product(out[i], matrix[i * s->size + j].d, s->box[j],
-                                          s->g);
+            out[i] = spectrum_add_product(out[i], matrix[i * s->size + j].d, s->box[j], s->g);
         out[i] = interval_minus(out[i]);
     }
     return out;

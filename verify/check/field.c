@@ -172,8 +172,7 @@ struct number number_sub(const struct number *a, const struct number *b)
     return number_add(a, &minus);
 }
 
-struct number number_mul(const struct number *a, const struct number *b,
-                         const struct field *k)
+struct number number_mul(const struct number *a, const struct number *b, const struct field *k)
 {
     struct mark mark = scratch_mark();
     struct number out = number_from_whole(0);
@@ -184,8 +183,7 @@ struct number number_mul(const struct number *a, const struct number *b,
     for (int i = 0; i < d; i++)
         for (int j = 0; j < d && a->part[i].sign != 0; j++)
             if (b->part[j].sign != 0)
-                product[i + j] = integer_add(product[i + j],
-                                             integer_mul(a->part[i], b->part[j]));
+                product[i + j] = integer_add(product[i + j], integer_mul(a->part[i], b->part[j]));
     for (int i = 2 * d - 2; i >= d; i--)           /* theta^d = - Psi_0 - Psi_1 theta ... */
         for (int j = 0; j < d && product[i].sign != 0; j++)
             if (k->minimal[j].sign != 0)

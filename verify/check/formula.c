@@ -104,8 +104,7 @@ static void close_parenthesis(struct parser *p)
 }
 
 /* "(" formula { "," formula } ")", from `least` to `most` of them */
-static struct node *read_arguments(enum node_kind kind, int least, int most,
-                                   struct parser *p)
+static struct node *read_arguments(enum node_kind kind, int least, int most, struct parser *p)
 {
     struct node *out = new_node(kind, p), *last = NULL;
     int count = 0;
@@ -205,8 +204,7 @@ static struct node *read_defined_name(const char *word, const struct cursor *pla
                                 "has no meaning here");
         return out;
     }
-    cursor_error(place, "expected a number, a function, `(` or a name that is "
-                        "defined above");
+    cursor_error(place, "expected a number, a function, `(` or a name that is defined above");
 }
 
 static const struct word {

@@ -1,7 +1,5 @@
 /* An eigenvalue of block 0 that grows with k: certificate-valences.md, section 6, "Growing without
- * bound".
- *
- * The eigenvalue is L kappa^-d, kappa = q/k, and the eigenvector has the components kappa^e_i x_i. */
+ * bound".  It is L kappa^-d, kappa = q/k, and the eigenvector has the components kappa^e_i x_i. */
 
 #include "graded.h"
 
@@ -112,8 +110,7 @@ static void prove_size(struct affine l, struct grading *s, const struct certific
     if (interval_contains_zero(affine_range(l)) ||
         !(affine_is_positive(affine_sub(l, one)) ||
           affine_is_positive(affine_minus(affine_add(l, one)))))
-        reject(c, c->pair.line_of.eigenvalue,
-               "eigenvalue: |L| is not proved to be larger than 1");
+        reject(c, c->pair.line_of.eigenvalue, "eigenvalue: |L| is not proved to be larger than 1");
 }
 
 /* The net

@@ -86,8 +86,7 @@ static bool apply(void *a, char operation, void *b, const void *field)
 }
 
 /* Numbers, k, and parameters with a value. */
-static bool simple(void *out, const struct node *f, const struct environment *e,
-                   const void *field)
+static bool simple(void *out, const struct node *f, const struct environment *e, const void *field)
 {
     const struct definition *d = &e->language->definition[f->name];
 
@@ -97,8 +96,7 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
         set(out, f->number);
     else if (f->kind == NODE_K)
         ((struct laurent *)out)->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
-    else if (f->kind == NODE_NAME && d->formula == NULL &&
-             rational_compare(d->low, d->high) == 0)
+    else if (f->kind == NODE_NAME && d->formula == NULL && rational_compare(d->low, d->high) == 0)
         set(out, d->low);
     else
         return false;

@@ -81,8 +81,7 @@ static struct affine *limit_matrix(const struct limit *l)
     return spectrum_without_constants(block_matrix(&block), block.n);
 }
 
-void limit_prove(const struct valence *v, const struct eigenpair *pair,
-                 const struct certificate *c)
+void limit_prove(const struct valence *v, const struct eigenpair *pair, const struct certificate *c)
 {
     interval half = grid_from_rational(rational_divide(rational_from(1, 2),
                                                        rational_from(v->k.first, 1)), v->g);

@@ -1,11 +1,9 @@
-/* smoothcert-check: verifies certificates of C1 continuity of subdivision
- * schemes.
+/* smoothcert-check: verifies certificates of C1 continuity of subdivision schemes.
  *
- * The statement (scheme, valences, claim) comes from the command line, the
- * evidence from certificates.  check.c goes through certificate.md section by
- * section; whatever does not hold ends the program with "rejected" or "cannot
- * check" (answer.h), so that to return from it is to have verified everything.
- * README lists the files, in the order in which to read them.
+ * The statement (scheme, valences, claim) comes from the command line, the evidence from
+ * certificates.  check.c goes through certificate.md section by section; whatever does not hold
+ * ends the program with "rejected" or "cannot check" (answer.h), so that to return from it is to
+ * have verified everything.  README lists the files, in the order in which to read them.
  */
 
 #include "answer.h"
@@ -157,13 +155,11 @@ static void print_decimal(integer a, bool ceiling, int g)
     scaled = ceiling ? integer_shift_ceil(scaled, g) : integer_shift_floor(scaled, g);
     if (!integer_get_small(&value, scaled, INT64_MAX))
         cannot_check("the checker cannot print L");
-    printf("%lld.%0*d", (long long)(value / TEN_TO_DIGITS), DIGITS,
-           (int)(value % TEN_TO_DIGITS));
+    printf("%lld.%0*d", (long long)(value / TEN_TO_DIGITS), DIGITS, (int)(value % TEN_TO_DIGITS));
 }
 
 /* L lies strictly inside of its interval (section 6), at one valence. */
-static void print_verified(const char *scheme, bool not_c1, struct span k,
-                           const struct verified *v)
+static void print_verified(const char *scheme, bool not_c1, struct span k, const struct verified *v)
 {
     const char *name = v->real ? "L" : "|L|", *less = span_is_several(k) ? "<=" : "<";
 

@@ -44,8 +44,7 @@ static struct number next_coefficient(const struct number *a, int size, int i)
 }
 
 /* A_1 = M, c_i = -trace(A_i)/i, A_(i+1) = M (A_i + c_i): Faddeev and LeVerrier. */
-struct polynomial polynomial_characteristic(const struct exact_matrix *m,
-                                            const struct field *k)
+struct polynomial polynomial_characteristic(const struct exact_matrix *m, const struct field *k)
 {
     int n = m->size;
     size_t cells = (size_t)n * (size_t)n;

@@ -26,15 +26,13 @@ struct polynomial {
 struct polynomial polynomial_make(int degree);
 
 /* det(x - M) */
-struct polynomial polynomial_characteristic(const struct exact_matrix *m,
-                                            const struct field *k);
+struct polynomial polynomial_characteristic(const struct exact_matrix *m, const struct field *k);
 
 /* s^e g(s x), s = 1 or -1, e the degree of g. */
 struct polynomial polynomial_turn(const struct polynomial *g, int sign);
 
 /* a := a / b; false if there is a remainder. */
-bool polynomial_divide(struct polynomial *a, const struct polynomial *b,
-                       const struct field *k);
+bool polynomial_divide(struct polynomial *a, const struct polynomial *b, const struct field *k);
 
 /* v := p(M) v */
 void polynomial_apply(struct number *v, const struct polynomial *p,

@@ -16,8 +16,7 @@ struct reader {
 };
 
 /* A statement of the word `first` and something behind it. */
-static struct cursor next_statement(struct reader *r, const char *first,
-                                    const char *expected)
+static struct cursor next_statement(struct reader *r, const char *first, const char *expected)
 {
     struct cursor c;
 
@@ -290,8 +289,7 @@ static void read_point_source(struct source *out, struct cursor *c, enum mesh me
 }
 
 /* rule->rest: -1 as long as there is none.  Returns the place of the weight. */
-static struct cursor read_source(struct rule *rule, struct cursor *c,
-                                 struct scheme *scheme)
+static struct cursor read_source(struct rule *rule, struct cursor *c, struct scheme *scheme)
 {
     struct language *l = &scheme->language;
     struct source *out = &rule->source[rule->count];
@@ -484,8 +482,7 @@ static void read_smooth(struct reader *r, struct cursor *c)
     if (cursor_accept_word(c, "repeat")) {
         rational q = read_rational(c, l);
 
-        if (!rational_is_whole(q) || q.num.sign < 0 ||
-            !integer_get_small(&times, q.num, MAX_STEPS))
+        if (!rational_is_whole(q) || q.num.sign < 0 || !integer_get_small(&times, q.num, MAX_STEPS))
             cursor_error(&place, "expected a whole number of repetitions, at most 34");
         cursor_expect(c, ':', "expected `:`");
     }

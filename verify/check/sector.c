@@ -1,5 +1,4 @@
-/* Sector nets and the blocks of the subdivision matrix: section 5 of
- * certificate.md. */
+/* Sector nets and the blocks of the subdivision matrix: section 5 of certificate.md. */
 
 #include "sector.h"
 
@@ -200,8 +199,7 @@ static void find_new_value(void *sum, const struct net *old, const struct block 
         const struct stencil_entry *e = &s->entry[i];
 
         if (centre && (e->a != 0 || e->b != 0))
-            cannot_check("the centre has no rule, and the mask does not give it its "
-                         "old value");
+            cannot_check("the centre has no rule, and the mask does not give it its old value");
         old->of->add_entry(sum, e, net_find(old, block, (a - e->a) / s->dilation,
                                             (b - e->b) / s->dilation), block);
     }
@@ -209,8 +207,7 @@ static void find_new_value(void *sum, const struct net *old, const struct block 
         old->of->finish(sum, block);
 }
 
-static struct net apply_step(const struct net *old, const struct block *block, int step,
-                             int rings)
+static struct net apply_step(const struct net *old, const struct block *block, int step, int rings)
 {
     enum mesh mesh = block->v->step[step].step->new;
     struct net out = net_of(old->of, mesh, rings);
@@ -327,8 +324,7 @@ struct pair net_value(const struct net *net, const struct block *block, int a, i
  * -------------------------- */
 
 /* m = W T^s */
-static void power_matrix(struct affine m[4], interval w, int sectors,
-                         const struct block *block)
+static void power_matrix(struct affine m[4], interval w, int sectors, const struct block *block)
 {
     int g = block->v->g, turns = sectors < 0 ? -sectors : sectors;
     struct affine one = affine_from_whole(1, g), zero = affine_from_whole(0, g);
@@ -347,8 +343,7 @@ static void power_matrix(struct affine m[4], interval w, int sectors,
 }
 
 /* m = sum of W_j T_j */
-static void each_matrix(struct affine m[4], const interval *each,
-                        const struct block *block)
+static void each_matrix(struct affine m[4], const interval *each, const struct block *block)
 {
     const struct valence *v = block->v;
     interval h = grid_sin_pi(rational_from(block->m.first, v->k.first), v->g);
@@ -384,12 +379,10 @@ static interval formula_at(const struct node *formula, const struct environment 
 }
 
 /* m = (R, -I; I, R).  I counts as 0 at m = k/2. */
-static void spectrum_matrix(struct affine m[4], const struct source *s,
-                            const struct block *block)
+static void spectrum_matrix(struct affine m[4], const struct source *s, const struct block *block)
 {
     const struct valence *v = block->v;
-    struct environment e =
-        environment_make(&v->scheme->language, v->k, block->m, NOTHING, v->g);
+    struct environment e = environment_make(&v->scheme->language, v->k, block->m, NOTHING, v->g);
     struct affine r = affine_from(formula_at(s->weight, &e, v));
     struct affine i = affine_from_whole(0, v->g);
 
@@ -402,8 +395,7 @@ static void spectrum_matrix(struct affine m[4], const struct source *s,
 }
 
 /* False if the source contributes nothing. */
-static bool make_term(struct term *out, const struct weighted *w,
-                      const struct block *block)
+static bool make_term(struct term *out, const struct weighted *w, const struct block *block)
 {
     struct affine zero = affine_from_whole(0, block->v->g);
 
@@ -518,8 +510,7 @@ static void list_unknowns(struct block *out)
                     add_unknowns_at(out, a, b);
 }
 
-void net_set_unknowns(struct net *out, const struct block *block,
-                      const struct affine *unknowns)
+void net_set_unknowns(struct net *out, const struct block *block, const struct affine *unknowns)
 {
     struct affine zero = affine_from_whole(0, block->v->g);
     int g = block->v->g;
@@ -545,8 +536,7 @@ void net_set_unknowns(struct net *out, const struct block *block,
 /* Blocks
  * ------ */
 
-static void begin_block(struct block *out, const struct valence *v, bool real,
-                        struct span m)
+static void begin_block(struct block *out, const struct valence *v, bool real, struct span m)
 {
     memset(out, 0, sizeof *out);
     out->v = v;
@@ -575,8 +565,7 @@ void block_prepare(struct block *out, const struct valence *v, bool real, struct
     finish_block(out);
 }
 
-void block_prepare_over(struct block *out, const struct valence *v, struct span m,
-                        struct affine u)
+void block_prepare_over(struct block *out, const struct valence *v, struct span m, struct affine u)
 {
     begin_block(out, v, true, m);
     turn_by_u(out, u);
@@ -584,8 +573,7 @@ void block_prepare_over(struct block *out, const struct valence *v, struct span 
 }
 
 /* The value of a net at an unknown; `second`: the imaginary part. */
-static struct affine read_off(const struct net *net, const struct block *block, int i,
-                         bool second)
+static struct affine read_off(const struct net *net, const struct block *block, int i, bool second)
 {
     const struct unknown *unknown = &block->unknown[i];
     struct pair v = net_value(net, block, unknown->a, unknown->b);

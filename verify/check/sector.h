@@ -115,8 +115,7 @@ int scheme_needs(const struct scheme *scheme, int j);
 void block_prepare(struct block *out, const struct valence *v, bool real, struct span m);
 
 /* The same in the real form, for u in place of what follows from k and m. */
-void block_prepare_over(struct block *out, const struct valence *v, struct span m,
-                        struct affine u);
+void block_prepare_over(struct block *out, const struct valence *v, struct span m, struct affine u);
 
 /* M: size x size, row by row. */
 struct affine *block_matrix(const struct block *block);
@@ -129,8 +128,7 @@ void net_set(struct net *net, int a, int b, struct pair value);
 
 /* Sets the values on the rings 1..R (and the centre) from the unknowns (complex
  * form: real parts, then imaginary parts). */
-void net_set_unknowns(struct net *out, const struct block *block,
-                      const struct affine *unknowns);
+void net_set_unknowns(struct net *out, const struct block *block, const struct affine *unknowns);
 
 /* V(a,b) for any label of the plane that is not opposite. */
 struct pair net_value(const struct net *net, const struct block *block, int a, int b);

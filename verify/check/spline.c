@@ -1,5 +1,4 @@
-/* Limits that are polynomials on elements: section 7 of certificate.md,
- * "Coefficients". */
+/* Limits that are polynomials on elements: section 7 of certificate.md, "Coefficients". */
 
 #include "spline.h"
 

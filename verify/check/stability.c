@@ -1,10 +1,8 @@
-/* The constants K: lib/stability.md, section 3, in the arithmetic of "Rounded
- * rows".
+/* The constants K: lib/stability.md, section 3, in the arithmetic of "Rounded rows".
  *
- * Row x of S^n is kept for the 4^n labels x with coordinates in [0, 2^n); the row of
- * r + 2^n t is that of r, moved by t.  With all points of the mask in [l, u] (each
- * coordinate), the row of such an x has entries at y with x - 2^n y in (2^n - 1) [l, u],
- * so from -max(u, 0) to max(-l, 0).
+ * Row x of S^n is kept for the 4^n labels x with coordinates in [0, 2^n); the row of r + 2^n t is
+ * that of r, moved by t.  With all points of the mask in [l, u] (each coordinate), the row of such
+ * an x has entries at y with x - 2^n y in (2^n - 1) [l, u], so from -max(u, 0) to max(-l, 0).
  */
 
 #include "regular.h"

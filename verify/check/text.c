@@ -68,8 +68,7 @@ static void check_byte(const char *file, int line, int column, char c)
         cannot_check_at(file, line, column, "expected a line of at most %d bytes", MAX_LINE);
 }
 
-char *text_canonical(const char *file, const char *text, size_t size,
-                     size_t *canonical_size)
+char *text_canonical(const char *file, const char *text, size_t size, size_t *canonical_size)
 {
     size_t used = 0, line_start = 0;
     bool in_comment = false, blank = false;
@@ -129,13 +128,11 @@ bool statements_more(struct cursor *out, struct statements *s)
     return false;
 }
 
-void statements_next(struct cursor *out, struct statements *s,
-                     const char *expected)
+void statements_next(struct cursor *out, struct statements *s, const char *expected)
 {
     if (statements_more(out, s))
         return;
-    cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file",
-                    expected);
+    cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file", expected);
 }
 
 /* Tokens
@@ -146,8 +143,7 @@ noreturn void cursor_error(const struct cursor *c, const char *message)
     struct cursor here = *c;
 
     cursor_skip_blanks(&here);
-    cannot_check_at(c->file, c->line, (int)(here.at - here.begin) + 1, "%s",
-                    message);
+    cannot_check_at(c->file, c->line, (int)(here.at - here.begin) + 1, "%s", message);
 }
 
 void cursor_skip_blanks(struct cursor *c)

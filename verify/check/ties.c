@@ -98,12 +98,10 @@ static void prove_root(struct proof *p)
     p->lambda = interval_of(integer_sub(e->eigenvalue, e->radius),
                             integer_add(e->eigenvalue, e->radius));
     if (p->lambda.lo.sign <= 0 || integer_compare(p->lambda.hi, grid_from(1, g).lo) >= 0)
-        rejected(p->c->file, e->line_of.eigenvalue,
-                 "eigenvalue: its interval is not inside (0,1)");
+        rejected(p->c->file, e->line_of.eigenvalue, "eigenvalue: its interval is not inside (0,1)");
     low = factor_at(factor, e->degree, interval_thin(p->lambda.lo), g);
     high = factor_at(factor, e->degree, interval_thin(p->lambda.hi), g);
-    if (interval_contains_zero(low) || interval_contains_zero(high) ||
-        low.lo.sign == high.lo.sign)
+    if (interval_contains_zero(low) || interval_contains_zero(high) || low.lo.sign == high.lo.sign)
         rejected(p->c->file, e->line_of.eigenvalue,
                  "eigenvalue: the factor is not proved to have a root there");
     p->s = spectrum_inverse_upper(p->lambda.lo, g);
@@ -177,8 +175,7 @@ static void prove_line(struct exact_line *out, struct proof *p, const struct exa
 
     out->record = e;
     if (e->m > 0 && !p->v->scheme->mirrored)
-        rejected(c->file, e->record.line, "exact: the scheme is not evidently "
-                 "mirror-symmetric");
+        rejected(c->file, e->record.line, "exact: the scheme is not evidently mirror-symmetric");
     if (one && e->m == 0 && e->sign > 0)
         rejected(c->file, e->record.line, "exact: expected s = -1 for block 0");
     if (one && e->record.power != 0)
@@ -314,8 +311,7 @@ static void check_counting(const struct exact_record *const line[2], const struc
             rejected(c->file, e->line[i].record.line, "exact: another line has as large a q");
 }
 
-struct tie tie_prove(const struct valence *v, const struct mask q[3],
-                     const struct certificate *c)
+struct tie tie_prove(const struct valence *v, const struct mask q[3], const struct certificate *c)
 {
     struct proof *p = allocate(1, sizeof *p);
     const struct exact_record *counting[2] = { NULL, NULL };

@@ -9,8 +9,7 @@
 
 enum { MAX_VALENCE_OF_EACH = 100000 };
 
-const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a,
-                                       int b)
+const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a, int b)
 {
     for (int i = 0; i < step->rules; i++) {
         const struct rule *rule = step->rule[i].rule;
@@ -22,8 +21,7 @@ const struct active_rule *valence_rule(const struct active_step *step, bool cent
 }
 
 /* out = W_0 .. W_(k-1); returns their sum, which is never an angle. */
-static struct value weigh_each(interval *out, const struct node *formula,
-                               const struct valence *v)
+static struct value weigh_each(interval *out, const struct node *formula, const struct valence *v)
 {
     struct value sum = value_from(rational_from(0, 1));
 
@@ -120,11 +118,9 @@ static bool rule_holds(const struct rule *rule, const struct environment *e,
     return truth == YES;
 }
 
-static void prepare_step(struct active_step *out, const struct step *step,
-                         const struct valence *v)
+static void prepare_step(struct active_step *out, const struct step *step, const struct valence *v)
 {
-    struct environment e =
-        environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
+    struct environment e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
 
     out->step = step;
     out->stencil = stencil_make(&step->mask, step->dilation, v->g);

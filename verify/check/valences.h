@@ -3,8 +3,7 @@
 
 /* The spectrum at several valences: sections 4 and 6 of certificate-valences.md.
  *
- * Frequency m of valence k is at q = m/k, in units of 2^-48, and its block at
- * u = cos(pi q). */
+ * Frequency m of valence k is at q = m/k, in units of 2^-48, and its block at u = cos(pi q). */
 
 #include "spectrum.h"
 

@@ -101,12 +101,10 @@ bool value_is_bounded(const struct value *v)
     return v->kind != UNDEFINED && !is_unbounded(v);
 }
 
-void value_require(struct value v, const struct language *l, const char *certificate,
-                   int line)
+void value_require(struct value v, const struct language *l, const char *certificate, int line)
 {
     if (is_unbounded(&v))
-        rejected(certificate, line, "a formula of the scheme is not bounded over all "
-                 "valences");
+        rejected(certificate, line, "a formula of the scheme is not bounded over all valences");
     if (v.kind != UNDEFINED)
         return;
     if (v.open && certificate != NULL)
@@ -195,8 +193,7 @@ static struct value apply_exactly(struct value a, char operation, struct value b
     if (out.range && operation == '+')
         out.q_last = apply_to_ends(a.q_last, operation, b.q_last);
     for (int i = 1; out.range && operation != '+' && i < 4; i++) {
-        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation,
-                                     i == 1 ? b.q : b.q_last);
+        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation, i == 1 ? b.q : b.q_last);
 
         if (compare_ends(end, out.q) < 0)
             out.q = end;
@@ -269,8 +266,7 @@ static rational rational_power(rational q, integer n)
 /* x^n for an exact x > 0 and whole n, not too large ones. */
 static interval whole_power(rational x, int64_t n, int g)
 {
-    rational out = n == 0 ? rational_from(1, 1)
-                          : rational_power(x, integer_from(n < 0 ? -n : n));
+    rational out = n == 0 ? rational_from(1, 1) : rational_power(x, integer_from(n < 0 ? -n : n));
 
     return grid_from_rational(n < 0 ? rational_divide(rational_from(1, 1), out) : out, g);
 }
@@ -399,8 +395,7 @@ enum truth value_compare(struct value a, char join, struct value b, int g)
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
     if (a.kind == b.kind && a.kind != ENCLOSURE)
-        return holds_for_signs(join, compare_ends(b.q, a.q_last),
-                               compare_ends(b.q_last, a.q));
+        return holds_for_signs(join, compare_ends(b.q, a.q_last), compare_ends(b.q_last, a.q));
     if (is_unbounded(&a) || is_unbounded(&b))
         return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
@@ -437,8 +432,7 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
 
     if (v.kind == ENCLOSURE || (v.kind == RATIONAL &&
                                 (v.q.num.sign != 0 || v.q_last.num.sign != 0)))
-        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi",
-                               false);
+        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
     if (at->kind == NODE_SIN) {                    /* sin x = cos(pi/2 - x) */

@@ -45,8 +45,7 @@ void value_keep(struct mark mark, struct value *v);
  * line of the certificate (NULL: with "cannot check"), else with "cannot check".  An
  * unbounded one is rejected. */
 bool value_is_bounded(const struct value *v);
-void value_require(struct value v, const struct language *l, const char *certificate,
-                   int line);
+void value_require(struct value v, const struct language *l, const char *certificate, int line);
 
 /* Operations
  * ----------
