@@ -314,10 +314,87 @@ centre 3/8\
 (1,0) @ -1 1/8\
 all (1,0) 0\
 end'
+# A mask that reaches behind the centre, which has 6 unknowns besides
+scaled mask-reaches-behind 2 'a rule uses a point opposite to its sector' 's:^(0,0) 5/8:(0,0) 17/32:
+s:^(1,0) 3/8:(1,0) 43/128:
+s:^(2,0) 1/16:(2,0) 5/64:
+s:^(1,1) 1/8:(1,1) 7/64\
+(3,0) 1/128\
+(2,1) 3/128:
+s/^grades .*/grades 0 1 1 1 1 1 1/
+s/^eigenvector .*/eigenvector 0 0 0 0 0 0/
+/^inverse/d
+s/^range .*/&\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0\
+inverse 0 0 0 0 0 0 0/'
 CLAIM=not-c1 dual graded 1 'scheme: there is no centre' 's/^claim c1/claim not-c1/;s/^form real/reason not-c0\
 frequency 0\
 form graded/'
 scaled weight-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:k/16:& + 0*abs(1/k):'
+
+# Growing in compositions: Catmull-Clark's, with 1 - k/8 at the centre; and a second smoothing with 1 + 1/k - k/16.  The
+# choices are no prover's.
+composed() { CLAIM=not-c1 own composed-grows-80-inf 80..inf "$@"; }
+composed nothing 0 '^verified: composed-grows is not C1 at valences 80..inf (frequency 0: 0.673.* <= |L| (8/k)^1 <= 0.759' ''
+composed unit 1 'radius: the Krawczyk' 's/^unit 8/unit 9/'
+composed degree-0 1 'grades: the scaled block grows' 's/^degree 1/degree 0/'
+composed degree-2 1 'radius: the Krawczyk' 's/^degree 1/degree 2/'
+composed grade-of-centre 1 'radius: the Krawczyk' 's/^grades 0 1/grades 1 1/'
+composed grade-of-centre-2 1 'grades: the scaled block grows' 's/^grades 0 1/grades 3 1/'
+composed grade-of-first 1 'radius: the Krawczyk' 's/^grades 0 1/grades 0 0/'
+composed grade-of-last 1 'radius: the Krawczyk' 's/^\(grades.*\) 1$/\1 0/'
+composed grade-too-large 1 'grades: the scaled block grows' 's/^\(grades.*\) 1$/\1 2/'
+composed grades-exchanged 1 'grades: the scaled block grows' 's/^grades 0 1/grades 1 0/'
+composed grades-alike 1 'radius: the Krawczyk' 's/^grades .*/grades 0 0 0 0 0 0 0/'
+composed eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue -b/eigenvalue -c/'
+composed sign 1 'radius: the Krawczyk' 's/^eigenvalue -/eigenvalue /'
+composed eigenvector 1 'radius: the Krawczyk' 's/^eigenvector -8/eigenvector -9/'
+composed witness-elsewhere 1 'witness: it does not' 's/^witness .*/witness 0 -/'
+composed growth-in-the-text 1 'radius: the Krawczyk' 's:1 - k/8:1 - k/9:'
+composed sign-in-the-text 1 'radius: the Krawczyk' 's:1 - k/8:1 + k/8:'
+composed decay-in-the-text 1 'radius: the Krawczyk' 's:2/k:3/k:'
+composed faster-in-the-text 1 'grades: the scaled block grows' 's:1 - k/8:1 - k^2/8:'
+composed edges-grow-in-the-text 1 'radius: the Krawczyk' 's:2/k:2/k + k/1000:'
+composed weights-in-the-text 1 'radius: the Krawczyk' 's:^smooth 1/4, 1/2:smooth 9/32, 7/16:'
+composed constants-in-the-text 1 'radius: the Krawczyk' 's:centre 1 - k/8, 2/k:centre 1/4, 1/2:'
+composed smoothing-more 1 'grades: expected more' 's:^smooth .*:&\
+smooth 1/4, 1/2:'
+composed smoothing-less 1 'grades: expected no more' '/^smooth 1/d'
+composed average 1 'scheme: there is no centre' 's:^smooth .*:&\
+average:'
+composed weight-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:2/k:2/k + 0*abs(1/k):'
+composed weight-with-sum-below 1 'form: a weight of the centre has no Laurent value' 's:2/k:2/(k + 1):'
+composed bounded 1 'grades: expected\|Krawczyk' 's:1 - k/8:1 - 3/k:'
+CLAIM=not-c1 own composed-grows-80-inf 79..inf wider 1 'radius: the Krawczyk' 's/^valence 80/valence 79/'
+CLAIM=not-c1 own composed-grows-80-inf 3..inf from-3 1 'Krawczyk' 's/^valence 80/valence 3/'
+CLAIM=not-c1 own composed-grows-80-inf 81..inf narrower 1 'radius: the Krawczyk' 's/^valence 80/valence 81/'
+denial composed-grows-80-inf "$catalogue/catmull-clark.scheme" 80..inf another-scheme 1 'scheme: expected the text' ''
+CLAIM=not-c1 own composed-grows-14-15 14..15 small 1 'eigenvalue: |L| is not proved to be larger than 1' ''
+
+smoothings() { CLAIM=not-c1 own two-smoothings-64-70 64..70 "$@"; }
+smoothings nothing 0 '^verified: two-smoothings is not C1 at valences 64..70 (frequency 0: 0.56.* <= |L| (12/k)^2 <= 0.58' ''
+smoothings degree 1 'grades: the scaled block grows' 's/^degree 2/degree 1/'
+smoothings degree-3 1 'radius: the Krawczyk' 's/^degree 2/degree 3/'
+smoothings grade-of-second 1 'grades: the scaled block grows' 's/^grades 0 1 1/grades 0 1 2/'
+smoothings grade-smaller 1 'radius: the Krawczyk' 's/^grades 0 1 1/grades 0 1 0/'
+smoothings exchanged 1 'radius: the Krawczyk' '/^smooth 1.4/{
+N
+s/^\(.*\)\n\(.*\)$/\2\
+\1/
+}'
+smoothings centres-exchanged 1 'Krawczyk' 's:centre 1 - k/8, 2/k:centre X:
+s:centre 1 + 1/k - k/16, 1/2:centre 1 - k/8, 2/k:
+s:centre X:centre 1 + 1/k - k/16, 1/2:'
+smoothings first-does-not-grow 1 'radius: the Krawczyk' 's: centre 1 - k/8, 2/k::'
+smoothings second-does-not-grow 1 'radius: the Krawczyk' 's: centre 1 + 1/k - k/16, 1/2::'
+smoothings first-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:1 - k/8:& + 0*abs(1/k):'
+smoothings second-without-laurent-value 1 'form: a weight of the centre has no Laurent value' 's:1 + 1/k:& + 0*abs(1/k):'
+smoothings smaller-term 1 'radius: the Krawczyk' 's:1 + 1/k - k/16:1 + 2/k - k/16:'
 
 growth() { denial centre-divergent-5-inf "$SRCDIR/tests/certificates/schemes/centre-divergent.scheme" "$@"; }
 growth 5..inf nothing 0 '^verified: centre-divergent is not C1 at valences 5..inf ' ''
@@ -358,6 +435,31 @@ told sixteenth-112-inf 5..19 proved-to-be-c1 1 'Krawczyk' 's/^valence 112 inf/va
 told sixteenth-112-inf 26..27 modulus-one 1 'Krawczyk' 's/^valence 112 inf/valence 26 27/'
 denial sixteenth-112-inf "$SRCDIR/tests/certificates/schemes/centre-grows.scheme" 112..inf another-scheme 1 'scheme' ''
 sixteenth slower 1 'scheme' 's:k/16:k/17:'
+
+steps() { told steps-grow-1311-inf 1311..inf "$@"; }
+steps nothing 0 '^verified: steps-grow is not C1 at valences 1311..inf (frequency 0: 1.0410.* <= |L| (20/k)^2 <= 1.0418' ''
+steps unit 1 'radius: the Krawczyk' 's/^unit 20/unit 21/'
+steps degree 1 'grades: the scaled block grows' 's/^degree 2/degree 1/'
+steps grade 1 'radius: the Krawczyk' 's/^grades 0 0 0 1/grades 0 0 0 0/'
+steps grade-larger 1 'grades: the scaled block grows' 's/^\(grades.*\) 2$/\1 3/'
+steps grade-of-edges 1 'grades: the scaled block grows' 's/^grades 0 0/grades 0 1/'
+steps grade-missing 1 'grades: expected more' 's/^\(grades.*\) 2$/\1/'
+steps eigenvalue 1 'Krawczyk' 's/^eigenvalue 1/eigenvalue 2/'
+steps slower 1 'scheme: expected the text' 's:1/9:1/10:'
+told steps-grow-1311-inf 1310..inf from-1310 1 'Krawczyk' 's/^valence 1311/valence 1310/'
+told steps-grow-1311-inf 3..15 proved-to-be-c1 1 'Krawczyk' 's/^valence 1311 inf/valence 3 15/'
+# Its text says something else, of any one step.
+steps_own() { CLAIM=not-c1 own steps-grow-1311-inf 1311..inf "$@"; }
+steps_own first-step 1 'radius: the Krawczyk' 's:k\*a, 1 - k$:k*a, 2 - k:'
+steps_own first-step-slower 1 'radius: the Krawczyk' 's:k\*a, 1 - k$:a, 1 - k:'
+steps_own first-step-faster 1 'grades: the scaled block grows' 's:k\*a, 1 - k$:k^2*a, 1 - k:'
+steps_own second-step 1 'radius: the Krawczyk' 's:centre 2/k, :centre 3/k, :'
+steps_own second-step-slower 1 'radius: the Krawczyk' 's:, k^2\*b:, k*b:'
+steps_own second-step-faster 1 'grades: the scaled block grows' 's:, k^2\*b:, k^3*b:'
+steps_own third-step 1 'radius: the Krawczyk' '/^smooth 1.4, 1.2$/s:$: centre 1 - 3/k, 2/k:'
+steps_own third-step-grows 1 'grades: the scaled block grows' '/^smooth 1.4, 1.2$/s:$: centre 1 - k/8, 2/k:'
+steps_own interval-for-a-parameter 1 'form: a weight of the centre has no Laurent value' 's:^parameter b = 1/9:parameter b = [1/9, 1/8]:'
+steps_own name-written-out 0 '^verified' 's:k^2\*b:k^2/9:'
 
 turns() { told two-turns-30-inf 30..inf "$@"; }
 turns nothing 0 '^verified: two-turns is not C1 at valences 30..inf (frequency 2: 0.599' ''

@@ -17,6 +17,7 @@ struct graded_value {
     struct affine v;
 };
 
+/* Masks have fewer points than this. */
 enum { MAX_KAPPA = 4096, MAX_TERMS = MAX_SOURCES * (2 * LAURENT_DEGREE + 1) };
 
 /* What a computation with them depends on. */

@@ -4,8 +4,6 @@
 
 #include "answer.h"
 
-#include <limits.h>
-
 /* kappa
  * ----- */
 
@@ -94,9 +92,9 @@ static void finish_graded(void *sum, const struct block *block)
     struct grading *s = block->own;
     struct graded_value *out = sum;
 
-    *out = (struct graded_value) { s->terms > 0, INT_MAX, affine_from_whole(0, s->g) };
+    *out = (struct graded_value) { s->terms > 0, 0, affine_from_whole(0, s->g) };
     for (int i = 0; i < s->terms; i++)
-        out->e = s->term[i].e < out->e ? s->term[i].e : out->e;
+        out->e = i == 0 || s->term[i].e < out->e ? s->term[i].e : out->e;
     for (int i = 0; i < s->terms; i++)
         out->v = affine_add(out->v, affine_mul(kappa_power(s, s->term[i].e - out->e),
                                                s->term[i].v, s->g));
