@@ -23,7 +23,7 @@ rational laurent_at(const struct laurent *a, int i)
 }
 
 /* a + q b */
-static void add_multiple(struct laurent *a, int q, const struct laurent *b)
+static void add_signed(struct laurent *a, int q, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
@@ -81,7 +81,7 @@ static bool apply(void *a, char operation, void *b, const void *field)
     (void)field;
     if (operation == '*' || operation == '/')
         return (operation == '*' || invert(b)) && multiply(a, b);
-    add_multiple(a, operation == '+' ? 1 : -1, b);
+    add_signed(a, operation == '+' ? 1 : -1, b);
     return true;
 }
 
@@ -114,7 +114,7 @@ bool laurent_weights(struct laurent *out, const struct rule *rule, const struct 
             continue;
         if (!ring_value(&out[i], rule->source[i].weight, e, &ring))
             return false;
-        add_multiple(rest, -1, &out[i]);
+        add_signed(rest, -1, &out[i]);
     }
     return true;
 }
