@@ -22,31 +22,17 @@ static noreturn void reject_scheme(const struct valence *v, const char *why)
     rejected(v->reference.file, v->reference.line, "scheme: %s", why);
 }
 
-/* The rules of a step, whether or not weights of the centre have values on the grid. */
-static struct active_rule *rules_without_values(const struct active_step *step)
-{
-    struct active_rule *out = allocate((size_t)step->rules, sizeof out[0]);
-
-    for (int n = 0; n < step->rules; n++) {
-        out[n] = step->rule[n];
-        out[n].missing = NULL;
-    }
-    return out;
-}
-
 void graded_prepare_block(struct block *out, const struct valence *v)
 {
-    struct valence *own = allocate(1, sizeof *own);
-
     if (v->scheme->mesh == DUAL)
         reject_scheme(v, "there is no centre");
     if (!valence_is_uniform(v) || !valence_is_local(v))
         reject_scheme(v, "only rules of the centre may depend on k, or have sources in all "
                       "sectors");
-    *own = *v;
-    for (int i = 0; i < v->scheme->steps; i++)
-        own->step[i].rule = rules_without_values(&v->step[i]);
-    block_prepare(out, own, true, span_of(0));
+    for (int i = 0; i < v->scheme->steps; i++)     /* weights without values are not used */
+        for (int n = 0; n < v->step[i].rules; n++)
+            v->step[i].rule[n].missing = NULL;
+    block_prepare(out, v, true, span_of(0));
 }
 
 static struct net begin_net(const struct block *block)
