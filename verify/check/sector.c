@@ -179,6 +179,28 @@ const void *net_find(const struct net *net, const struct block *block, int a, in
     return here;
 }
 
+/* Of the net before the step `first`, for j rings of the last one; needed(j) if first = 0. */
+static int rings_needed(const struct scheme *scheme, int first, int j)
+{
+    for (int i = scheme->steps - 1; i >= first; i--)
+        j = step_needs(&scheme->step[i], j);
+    return j;
+}
+
+/* R.  Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
+ * 33 rings before the first one halves. */
+static int rings_of_unknowns(const struct scheme *scheme)
+{
+    int out = 1;
+
+    for (int j = 200; j >= 1; j--)
+        if (rings_needed(scheme, 0, j) >= j && j > out)
+            out = j;
+    while (rings_needed(scheme, 0, out) > out)
+        out++;
+    return out;
+}
+
 /* New values
  * ---------- */
 
@@ -223,12 +245,10 @@ static struct net apply_step(const struct net *old, const struct block *block, i
 struct net net_subdivide(const struct net *old, const struct block *block, int rings)
 {
     const struct scheme *scheme = block->v->scheme;
-    int needs[MAX_STEPS + 1];
     struct net net = *old;
 
-    scheme_list_needs(needs, scheme, rings);
     for (int i = 0; i < scheme->steps; i++)
-        net = apply_step(&net, block, i, needs[i + 1]);
+        net = apply_step(&net, block, i, rings_needed(scheme, i + 1, rings));
     return net;
 }
 
@@ -237,7 +257,7 @@ struct net net_extend(const struct net *old, const struct block *block, struct p
     enum mesh mesh = old->mesh;
     struct net out;
 
-    while (scheme_needs(block->v->scheme, rings) > old->rings)
+    while (rings_needed(block->v->scheme, 0, rings) > old->rings)
         rings--;
     if (rings <= old->rings)
         cannot_check("the checker cannot extend the characteristic net");
@@ -445,35 +465,6 @@ static void prepare_rules(struct block *out)
 /* Unknowns
  * -------- */
 
-void scheme_list_needs(int needs[MAX_STEPS + 1], const struct scheme *scheme, int j)
-{
-    needs[scheme->steps] = j;
-    for (int i = scheme->steps - 1; i >= 0; i--)
-        needs[i] = step_needs(&scheme->step[i], needs[i + 1]);
-}
-
-int scheme_needs(const struct scheme *scheme, int j)
-{
-    int needs[MAX_STEPS + 1];
-
-    scheme_list_needs(needs, scheme, j);
-    return needs[0];
-}
-
-/* Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
- * 33 rings before the first one halves. */
-int scheme_rings(const struct scheme *scheme)
-{
-    int out = 1;
-
-    for (int j = 200; j >= 1; j--)
-        if (scheme_needs(scheme, j) >= j && j > out)
-            out = j;
-    while (scheme_needs(scheme, out) > out)
-        out++;
-    return out;
-}
-
 static void add_unknown(struct block *out, int a, int b, enum unknown_kind kind)
 {
     out->unknown[out->n++] = (struct unknown) { a, b, kind };
@@ -544,7 +535,7 @@ static void begin_block(struct block *out, const struct valence *v, bool real, s
     out->plain = m.first == 0;
     out->has_y = !out->plain;
     out->real = real && !out->plain;
-    out->rings = scheme_rings(v->scheme);
+    out->rings = rings_of_unknowns(v->scheme);
 }
 
 /* The rest, once T is known. */

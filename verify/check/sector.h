@@ -102,15 +102,6 @@ struct block {
     void *own;                                     /* what other arithmetics need */
 };
 
-/* R of a scheme. */
-int scheme_rings(const struct scheme *scheme);
-
-/* The rings that the old net of each step needs for those up to j of the last one. */
-void scheme_list_needs(int needs[MAX_STEPS + 1], const struct scheme *scheme, int j);
-
-/* needed(j) of a scheme. */
-int scheme_needs(const struct scheme *scheme, int j);
-
 /* The block of the frequencies m. */
 void block_prepare(struct block *out, const struct valence *v, bool real, struct span m);
 
