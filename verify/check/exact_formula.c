@@ -116,7 +116,7 @@ static bool apply_to_numbers(void *a, char operation, void *b, const void *field
     } else {
         if (!number_get_rational(&q, b) || q.num.sign == 0)
             return false;
-        *x = number_scale(rational_divide(rational_from(1, 1), q), x);
+        *x = number_scale(rational_divide(rational_from(1, 1), q), x, field);
     }
     return true;
 }

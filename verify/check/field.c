@@ -196,18 +196,11 @@ struct number number_mul(const struct number *a, const struct number *b, const s
     return out;
 }
 
-struct number number_scale(rational q, const struct number *a)
+struct number number_scale(rational q, const struct number *a, const struct field *k)
 {
-    struct mark mark = scratch_mark();
-    struct number out = *a;
+    struct number factor = number_from(q);
 
-    for (int i = 0; i < MAX_DEGREE; i++)
-        if (a->part[i].sign != 0)
-            out.part[i] = integer_mul(a->part[i], q.num);
-    out.den = integer_mul(a->den, q.den);
-    cancel(&out);
-    number_keep(mark, &out, 1);
-    return out;
+    return number_mul(&factor, a, k);
 }
 
 bool number_is_zero(const struct number *a)
@@ -261,7 +254,7 @@ bool number_cos_pi(struct number *out, rational q, const struct field *k)
     if (!integer_get_small(&i, place.num, 2 * MAX_FIELD))
         return false;
     *out = chebyshev((int)(i > k->n ? 2 * k->n - i : i), k);
-    *out = number_scale(rational_from(1, 2), out);
+    *out = number_scale(rational_from(1, 2), out, k);
     return true;
 }
 

@@ -35,9 +35,10 @@ static const char USAGE[] =
 /* Arguments
  * --------- */
 
-enum { SCHEME, VALENCE, CLAIM, CERTIFICATE, VALUES };
+enum { SCHEME, VALENCE, CLAIM, SET, CERTIFICATE, VALUES };
 
-static const char *const NAME[VALUES] = { "--scheme", "--valence", "--claim", "certificate" };
+static const char *const NAME[VALUES] = { "--scheme", "--valence", "--claim", "--set",
+                                          "certificate" };
 
 struct arguments {
     const char *value[VALUES];
@@ -107,17 +108,15 @@ static void read_option(struct arguments *out, char **arguments, int count, int 
         print_and_exit(USAGE);
     if (strcmp(arguments[*i], "--version") == 0)
         print_and_exit("smoothcert-check, certificates of versions 0 and 1\n");
-    value = option_value("--set", arguments, count, i);
-    if (value != NULL) {
-        add_setting(out, value);
-        return;
-    }
     for (int n = 0; n < CERTIFICATE; n++) {
         value = option_value(NAME[n], arguments, count, i);
-        if (value != NULL) {
+        if (value == NULL)
+            continue;
+        if (n == SET)
+            add_setting(out, value);
+        else
             set_once(out, n, value);
-            return;
-        }
+        return;
     }
     cannot_check("unknown option %s (see --help)", arguments[*i]);
 }
@@ -135,7 +134,7 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
             read_option(out, arguments, count, &i);
     }
     for (int i = 0; i < VALUES; i++)
-        if (out->value[i] == NULL)
+        if (i != SET && out->value[i] == NULL)
             cannot_check("no %s is given (see --help)", NAME[i] + (i == CERTIFICATE ? 0 : 2));
     if (strcmp(out->value[CLAIM], "c1") != 0 && strcmp(out->value[CLAIM], "not-c1") != 0)
         cannot_check("--claim: expected c1 or not-c1");

@@ -34,13 +34,14 @@ static struct number dot(const struct number *a, const struct number *b, int str
 }
 
 /* minus trace(a) / i */
-static struct number next_coefficient(const struct number *a, int size, int i)
+static struct number next_coefficient(const struct number *a, int size, int i,
+                                      const struct field *k)
 {
     struct number sum = number_from_whole(0);
 
     for (int j = 0; j < size; j++)
         sum = number_add(&sum, &a[j * size + j]);
-    return number_scale(rational_from(-1, i), &sum);
+    return number_scale(rational_from(-1, i), &sum, k);
 }
 
 /* A_1 = M, c_i = -trace(A_i)/i, A_(i+1) = M (A_i + c_i): Faddeev and LeVerrier. */
@@ -53,7 +54,7 @@ struct polynomial polynomial_characteristic(const struct exact_matrix *m, const 
 
     memcpy(a, m->entry, cells * sizeof a[0]);
     for (int i = 1; i <= n; i++) {
-        struct number c = next_coefficient(a, n, i);
+        struct number c = next_coefficient(a, n, i, k);
 
         out.coefficient[n - i] = c;
         for (int j = 0; j < n; j++)

@@ -21,10 +21,10 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
     text = allocate(capacity, 1);
     for (;;) {
         used += fread(text + used, 1, capacity - 1 - used, file);
-        if (used < capacity - 1)
-            break;
         if (used > limit)
             cannot_check("%s: the file has more than %zu bytes", name, limit);
+        if (used < capacity - 1)
+            break;
 
         char *larger = allocate(2 * capacity, 1);
 
@@ -35,8 +35,6 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
     if (ferror(file) != 0)
         cannot_check("%s: the file cannot be read", name);
     fclose(file);
-    if (used > limit)
-        cannot_check("%s: the file has more than %zu bytes", name, limit);
     text[used] = '\0';
     *size = used;
     return text;
