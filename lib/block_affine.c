@@ -64,7 +64,7 @@ static status set_centre_weights(rule_numbers *z, const affine *kappa, valence_r
     bool known, ok = centre_weights_make(&w, &known, z->rule, k);
     for (int i = 0; ok && i < w.count; i++) {
         if (known)
-            reciprocal_laurent_value(&z->weight[i], &w.weight[i], 0, kappa, prec);
+            reciprocal_laurent_value(&z->weight[i], &w.weight[i], kappa, prec);
         else
             affine_indeterminate(&z->weight[i]);
         z->known[i] = true;

@@ -62,16 +62,6 @@ static block_status extend(sector_net *wide, const sector_net *net, int known, i
     return BLOCK_OK;
 }
 
-/* How far a step can go: the most rings whose new values need no more than the known ones.  One more at least, for
-   beyond the rings of a block (scheme_closed_rings) ring j needs less than j. */
-static int reachable(const scheme *s, int known, int wanted)
-{
-    int upto = known;
-    while (upto < wanted && scheme_rings_needed(s, upto + 1) <= known)
-        upto++;
-    return upto;
-}
-
 block_status charnet_make(sector_net *net, const block *b, const number *box, bool is_complex, const scheme_numbers *numbers, int rings)
 {
     const number *eigenvalue = &box[is_complex ? 2 * b->n : b->n];
@@ -81,7 +71,7 @@ block_status charnet_make(sector_net *net, const block *b, const number *box, bo
         return BLOCK_NO_MEMORY;
     block_net(net, b, box, is_complex ? &box[b->n] : NULL, numbers->prec);
     while (s == BLOCK_OK && known < rings) {
-        int upto = reachable(numbers->scheme, known, rings);
+        int upto = scheme_rings_reached(numbers->scheme, known, rings);
         sector_net wide;
         s = extend(&wide, net, known, upto, eigenvalue, is_complex ? eigenvalue + 1 : NULL, numbers);
         sector_net_free(net);

@@ -62,11 +62,11 @@ static void make_defect(workspace *w, const number *box, const number *b, long p
     }
 }
 
-/* bound >= |s| / (1 - |E|), thin; size[i] = the norm of row i of E.  false: |E| < 1 is not certain. */
-static bool first_bound(number *bound, number *size, const workspace *w, long prec)
+/* bound >= |s| / (1 - |E|), thin; size[i] = the norm of row i of E.  TRUTH_UNKNOWN: |E| < 1 is not certain; TRUTH_FALSE: no memory. */
+static truth first_bound(number *bound, number *size, const workspace *w, long prec)
 {
     int n = w->n;
-    bool ok;
+    truth certain;
     number norm, part;
     number_init(&norm);
     number_init(&part);
@@ -83,12 +83,12 @@ static bool first_bound(number *bound, number *size, const workspace *w, long pr
     }
     number_one(&part);
     number_sub(&norm, &part, &norm, prec);
-    ok = number_is_positive(&norm) == TRUTH_TRUE;
+    certain = number_lacks_memory(&norm) ? TRUTH_FALSE : number_is_positive(&norm) == TRUTH_TRUE ? TRUTH_TRUE : TRUTH_UNKNOWN;
     number_div(bound, bound, &norm, prec);
     number_upper(bound, bound, prec);
     number_clear(&norm);
     number_clear(&part);
-    return ok;
+    return certain;
 }
 
 /* slope = s + E slope, as often as it helps. */
@@ -120,7 +120,7 @@ static truth find_slope(number *slope, const number *box, const eigenpair_choice
         load(&w, choice, prec);
         make_constant(&w, box, b_slope, prec);
         make_defect(&w, box, b, prec);
-        found = first_bound(&bound, w.scratch, &w, prec) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+        found = first_bound(&bound, w.scratch, &w, prec);
     }
     if (found == TRUTH_TRUE) {
         number_zero(&slope[w.pivot]);

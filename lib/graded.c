@@ -1,7 +1,6 @@
-/* graded.c: rows, degrees, and the scaled matrix. */
+/* graded.c: the block, column by column, and the scaled matrix. */
 #include "graded.h"
 
-#include "centre_weights.h"
 #include "eigen_approx.h"
 #include "reciprocal.h"
 
@@ -9,204 +8,169 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the row of the centre ---- */
+/* ---- weights ---- */
 
-/* The unknown that a source of the centre names, whatever sector it lies in. */
-static int unknown_of(const block *b, const source *s)
+/* The plain block does without, as some may be unbounded. */
+static void silence(rule_numbers *r)
 {
-    for (int i = 0; i < b->n; i++) {
-        const unknown *p = &b->unknowns[i];
-        if (s->kind == SOURCE_CENTRE ? p->kind == UNKNOWN_CENTRE : p->kind == UNKNOWN_PLAIN && p->a == s->point.a && p->b == s->point.b)
-            return i;
+    for (int i = 0; i < r->rule->count; i++) {
+        number_zero(&r->weight[i]);
+        r->known[i] = true;
     }
-    return -1;
 }
 
-static bool add_up(laurent_value *row, const block *b, const rule *r, const centre_weights *w)
+static bool take_weights(graded_block *z, scheme_numbers *numbers)
+{
+    bool known, ok = true;
+    for (int i = 0; ok && i < numbers->scheme->step_count; i++)
+        for (int j = 0; ok && j < numbers->steps[i].rule_count; j++) {
+            rule_numbers *r = &numbers->steps[i].rules[j];
+            if (!r->rule->at_centre)
+                continue;
+            ok = centre_weights_make(&z->weights[i], &known, r->rule, numbers->k);
+            silence(r);
+        }
+    return ok;
+}
+
+static bool stretch_weights(graded_block *z, long unit)
 {
     bool ok = true;
-    for (int i = 0; ok && i < b->n; i++)
-        ok = laurent_value_make(&row[i]);
-    for (int i = 0; ok && i < r->count; i++) {
-        int j = unknown_of(b, &r->sources[i]);
-        ok = j >= 0 && laurent_value_add(&row[j], &w->weight[i]); /* the rings of the block reach as far as its rules: j < 0 is never */
-    }
+    for (int i = 0; i < SCHEME_MAX_STEPS; i++)
+        for (int j = 0; ok && j < z->weights[i].count; j++)
+            ok = laurent_value_stretch(&z->weights[i].weight[j], unit);
     return ok;
-}
-
-static bool make_row(graded_block *z, const rule *centre, valence_range k)
-{
-    centre_weights w;
-    bool known, ok = centre_weights_make(&w, &known, centre, k);
-    z->centre = calloc((size_t)z->plain->n, sizeof *z->centre);
-    ok = ok && z->centre && add_up(z->centre, z->plain, centre, &w);
-    centre_weights_clear(&w);
-    return ok;
-}
-
-/* The block needs none of them, and some may be unbounded. */
-static const rule *silence_centre(scheme_numbers *numbers)
-{
-    const rule *centre = NULL;
-    for (int i = 0; i < numbers->steps[0].rule_count; i++) {
-        rule_numbers *r = &numbers->steps[0].rules[i];
-        if (!r->rule->at_centre)
-            continue;
-        centre = r->rule;
-        for (int j = 0; j < centre->count; j++) {
-            number_zero(&r->weight[j]);
-            r->known[j] = true;
-        }
-    }
-    return centre;
 }
 
 block_status graded_block_make(graded_block *z, block *plain, scheme_numbers *numbers, diagnostic *d)
 {
-    const rule *centre = silence_centre(numbers);
-    block_status result = block_make(plain, numbers, 0, true, d);
+    bool ok;
+    block_status result;
     memset(z, 0, sizeof *z);
     number_init(&z->kappa);
     z->plain = plain;
-    if (result == BLOCK_OK && !make_row(z, centre, numbers->k))
-        result = BLOCK_NO_MEMORY;
-    return result;
+    z->numbers = numbers;
+    ok = take_weights(z, numbers);
+    result = block_make(plain, numbers, 0, true, d);
+    if (result == BLOCK_OK && ok) {
+        z->order = malloc((size_t)plain->n * (size_t)plain->n * sizeof *z->order);
+        z->entry = number_array_new((size_t)plain->n * (size_t)plain->n);
+        ok = z->order && z->entry;
+    }
+    return result == BLOCK_OK && !ok ? BLOCK_NO_MEMORY : result;
 }
 
 void graded_block_free(graded_block *z)
 {
-    for (int i = 0; z->centre && i < z->plain->n; i++)
-        laurent_value_clear(&z->centre[i]);
-    free(z->centre);
+    for (int i = 0; i < SCHEME_MAX_STEPS; i++)
+        centre_weights_clear(&z->weights[i]);
     number_clear(&z->kappa);
+    free(z->order);
+    if (z->entry)
+        number_array_free(z->entry, (size_t)z->plain->n * (size_t)z->plain->n);
     memset(z, 0, sizeof *z);
 }
 
-bool graded_block_set_unit(graded_block *z, long unit, long prec)
+/* ---- entries ---- */
+
+/* Column j is what becomes of unknown j alone. */
+static block_status fill_column(graded_block *z, int j, const subdivision *once)
 {
-    bool ok = reciprocal_set(&z->kappa, unit, z->plain->k, prec);
-    for (int i = 0; ok && i < z->plain->n; i++)
-        ok = laurent_value_stretch(&z->centre[i], unit);
-    return ok;
+    const block *b = z->plain;
+    graded_net unit, image;
+    subdivide_status s = SUBDIVIDE_NO_MEMORY;
+    memset(&image, 0, sizeof image);
+    if (graded_net_make(&unit, b->mesh, b->rings)) {
+        int at = graded_place(&unit, &b->unknowns[j]);
+        unit.grade[at] = 0;
+        number_one(&unit.value[at]);
+        s = graded_subdivide(&image, &unit, once, z->weights, &z->kappa);
+    }
+    for (int i = 0; s == SUBDIVIDE_OK && i < b->n; i++) {
+        int at = graded_place(&image, &b->unknowns[i]);
+        z->order[i * b->n + j] = image.grade[at];
+        number_set(&z->entry[i * b->n + j], &image.value[at]);
+    }
+    graded_net_free(&unit);
+    graded_net_free(&image);
+    return block_from_subdivide(s);
+}
+
+static block_status fill(graded_block *z)
+{
+    subdivision once;
+    block_status result = block_from_subdivide(subdivision_make(&once, z->numbers, block_is_planar(z->plain), z->plain->rings, z->plain->rings));
+    for (int j = 0; result == BLOCK_OK && j < z->plain->n; j++)
+        result = fill_column(z, j, &once);
+    subdivision_free(&once);
+    return result;
+}
+
+block_status graded_block_scale(graded_block *z, long unit)
+{
+    if (!reciprocal_set(&z->kappa, unit, z->plain->k, z->numbers->prec) || !stretch_weights(z, unit))
+        return BLOCK_NO_MEMORY;
+    return fill(z);
 }
 
 /* ---- the choice ---- */
 
-static bool is_used(const graded_block *b, int i, int j)
-{
-    return number_is_zero(&b->plain->entry[i * b->plain->n + j]) != TRUTH_TRUE;
-}
-
-/* How many subdivisions it takes from the centre to each unknown, by rows other than the centre's; what never depends on it is as far
-   as the farthest.  *farthest. */
-static void measure_distances(int *distance, const graded_block *b)
-{
-    int n = b->plain->n, farthest = 0;
-    for (int i = 1; i < n; i++)
-        distance[i] = -1;
-    for (int l = 1; l < n; l++)
-        for (int i = 1; i < n; i++)
-            for (int j = 0; distance[i] < 0 && j < n; j++)
-                if (distance[j] == l - 1 && is_used(b, i, j))
-                    farthest = distance[i] = l;
-    for (int i = 1; i < n; i++)
-        distance[i] = distance[i] < 0 ? farthest : distance[i];
-}
-
-/* The largest mean degree of a cycle through the centre, rounded up: its row contributes all degrees. */
-static int choose_degree(const int *distance, const graded_block *b)
-{
-    int degree = 0;
-    for (int j = 0; j < b->plain->n; j++) {
-        int length = distance[j] + 1, needed = (laurent_value_high(&b->centre[j]) + length - 1) / length;
-        degree = needed > degree ? needed : degree;
-    }
-    return degree;
-}
-
-/* The block at one valence. */
-static void approximate(double *m, const graded_block *b, double k)
+/* With which the scaled eigenvalue is about 1 at the valence `far`, at which the block is.  0: no memory. */
+static long choose_unit(int degree, const graded_block *b, double far)
 {
     int n = b->plain->n;
-    for (int j = 0; j < n; j++)
-        for (int c = laurent_value_low(&b->centre[j]); c <= laurent_value_high(&b->centre[j]); c++)
-            m[j] += rational_get_double_approx(laurent_value_at(&b->centre[j], c)) * pow(k, c);
-    for (int i = n; i < n * n; i++)
-        m[i] = number_mid_approx(&b->plain->entry[i]);
-}
-
-/* With which the scaled eigenvalue is about 1 far out.  0: no memory. */
-static long choose_unit(int degree, const graded_block *b)
-{
-    valence_range k = b->plain->k;
-    double far = k.last == VALENCES_UNBOUNDED ? 16 * (double)k.first : (double)k.last, unit = 1;
-    double *m = calloc((size_t)b->plain->n * (size_t)b->plain->n, sizeof *m);
+    double *m = calloc((size_t)n * (size_t)n, sizeof *m), unit = 1;
     if (!m)
         return 0;
-    approximate(m, b, far);
+    for (int i = 0; i < n * n; i++)
+        if (b->order[i] != GRADED_ABSENT)
+            m[i] = number_mid_approx(&b->entry[i]) * pow(far, -b->order[i]);
     if (degree > 0)
-        unit = far * pow(spectral_radius_approx(m, b->plain->n), -1.0 / degree);
+        unit = far * pow(spectral_radius_approx(m, n), -1.0 / degree);
     free(m);
     return unit > 1 && unit < GRADED_MAX_UNIT ? lround(unit) : 1;
 }
 
-/* x_i / x_centre is about k^-(degree distance_i). */
-bool graded_choose(graded_choice *z, const graded_block *b)
+block_status graded_choose(graded_choice *z, graded_block *b)
 {
-    if (!graded_choice_make(z, b->plain->n))
-        return false;
-    measure_distances(z->grade, b);
-    z->degree = choose_degree(z->grade, b);
-    for (int i = 0; i < z->n; i++)
-        z->grade[i] *= z->degree;
-    z->unit = choose_unit(z->degree, b);
-    return z->unit > 0;
+    valence_range k = b->plain->k;
+    long far = k.last == VALENCES_UNBOUNDED ? 16 * k.first : k.last;
+    block_status result = BLOCK_NO_MEMORY;
+    if (reciprocal_set(&b->kappa, 1, one_valence(far), b->numbers->prec))
+        result = fill(b);
+    if (result != BLOCK_OK)
+        return result;
+    if (!graded_choice_from_orders(z, b->order, b->plain->n))
+        return BLOCK_NO_MEMORY;
+    z->unit = choose_unit(z->degree, b, (double)far);
+    return z->unit ? BLOCK_OK : BLOCK_NO_MEMORY;
 }
 
 /* ---- the matrix ---- */
 
-static bool scale_centre(number *m, const graded_block *b, const graded_choice *c, int j, long prec)
+static bool scale_entry(number *m, const graded_block *b, const graded_choice *c, int i, int j)
 {
-    const laurent_value *w = &b->centre[j];
-    int shift = c->degree + c->grade[j] - c->grade[0];
-    if (laurent_value_is_constant(w) && rational_is_zero(laurent_value_at(w, 0)))
+    int at = i * b->plain->n + j;
+    if (b->order[at] == GRADED_ABSENT)
         return true;
-    if (shift < laurent_value_high(w))
-        return false;
-    reciprocal_laurent_value(m, w, shift, &b->kappa, prec);
-    return true;
-}
-
-static bool scale_entry(number *m, const graded_block *b, const graded_choice *c, int i, int j, const number *powers, long prec)
-{
-    int power = c->degree + c->grade[j] - c->grade[i];
-    if (i == 0)
-        return scale_centre(m, b, c, j, prec);
-    if (!is_used(b, i, j))
-        return true;
+    int power = c->degree + c->grade[j] + b->order[at] - c->grade[i];
     if (power < 0)
         return false;
-    number_mul(m, &powers[power], &b->plain->entry[i * b->plain->n + j], prec);
+    number_set(m, &b->entry[at]);
+    graded_scale(m, &b->kappa, power, b->numbers->prec);
     return true;
 }
 
-truth graded_matrix(number **m, const graded_block *b, const graded_choice *c, long prec)
+truth graded_matrix(number **m, const graded_block *b, const graded_choice *c)
 {
-    int n = b->plain->n, count = 2 * GRADED_MAX_DEGREE + 1;
-    number *powers;
-    truth t = TRUTH_FALSE;
+    int n = b->plain->n;
+    bool fits = true;
     *m = NULL;
     if (c->n != n || !graded_choice_is_within_limits(c))
         return TRUTH_UNKNOWN;
-    powers = reciprocal_powers(&b->kappa, count, prec);
     *m = number_array_new((size_t)n * (size_t)n);
-    if (powers && *m)
-        t = TRUTH_TRUE;
-    for (int i = 0; t == TRUTH_TRUE && i < n; i++)
-        for (int j = 0; t == TRUTH_TRUE && j < n; j++)
-            if (!scale_entry(&(*m)[i * n + j], b, c, i, j, powers, prec))
-                t = TRUTH_UNKNOWN;
-    if (powers)
-        number_array_free(powers, (size_t)count);
-    return t;
+    for (int i = 0; *m && fits && i < n; i++)
+        for (int j = 0; fits && j < n; j++)
+            fits = scale_entry(&(*m)[i * n + j], b, c, i, j);
+    return !*m ? TRUTH_FALSE : fits ? TRUTH_TRUE : TRUTH_UNKNOWN;
 }

@@ -5,8 +5,11 @@
 
 #include "../bigfloat/integer.h"
 
+#include <limits.h>
 #include <stdbool.h>
 
+/* The order of what is 0. */
+enum { GRADED_ABSENT = INT_MAX };
 enum { GRADED_MAX_DEGREE = 64, GRADED_MAX_UNIT = 1000000000 };
 
 typedef struct {
@@ -19,6 +22,10 @@ typedef struct {
 void graded_choice_init(graded_choice *z);
 void graded_choice_clear(graded_choice *z);
 BIGFLOAT_MUST_USE bool graded_choice_make(graded_choice *z, int n); /* unit 1, all else 0; false: no memory */
+
+/* The least degree up to GRADED_MAX_DEGREE, and grades, the least of them 0 and each as large as can be, with degree + grade[j] + order[i n + j]
+   - grade[i] >= 0 wherever the order is not GRADED_ABSENT; if there are none, degree GRADED_MAX_DEGREE + 1.  unit 1.  false: no memory. */
+BIGFLOAT_MUST_USE bool graded_choice_from_orders(graded_choice *z, const int *order, int n);
 
 /* Are these from 1 to GRADED_MAX_UNIT, and from 0 to GRADED_MAX_DEGREE? */
 bool graded_choice_is_within_limits(const graded_choice *z);

@@ -1,165 +1,165 @@
-/* graded_net.c: further rings, label by label, each with its own grade. */
-#include "graded.h"
+/* graded_net.c: a new value is the sum of its parts, each with a grade of its own. */
+#include "graded_net.h"
 
-#include "reciprocal.h"
-
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The net as it grows: grade[at] belongs to the value net->x[at]. */
-typedef struct {
-    sector_net *net;
-    int *grade, grade_of_centre;
-    const graded_block *block;
-    const number *eigenvalue;
-    int degree;
-    long prec;
-} growth;
-
-static int grade_at(const growth *g, int at)
+bool graded_net_make(graded_net *z, mesh_kind mesh, int rings)
 {
-    return at == CENTRE_INDEX ? g->grade_of_centre : g->grade[at];
+    int size = graded_size(rings);
+    *z = (graded_net){mesh, rings, malloc((size_t)size * sizeof *z->grade), number_array_new((size_t)size)};
+    for (int i = 0; z->grade && i < size; i++)
+        z->grade[i] = GRADED_ABSENT;
+    return z->grade && z->value;
 }
 
-/* ---- what a new value is made of ---- */
-
-static int count_of(const point_stencil *p)
+void graded_net_free(graded_net *z)
 {
-    return p->rule ? p->rule->count : (int)p->count;
+    if (z->value)
+        number_array_free(z->value, (size_t)graded_size(z->rings));
+    free(z->grade);
+    memset(z, 0, sizeof *z);
 }
 
-/* Part i: T = 1, so that sectors do not count. */
-static mask_term part_of(const growth *g, const step_stencils *s, const point_stencil *p, int i)
-{
-    const rule_numbers *r = p->rule;
-    if (!r)
-        return s->term[p->first + (size_t)i];
-    return (mask_term){&r->matrix[i].xx, r->rule->sources[i].kind == SOURCE_CENTRE ? CENTRE_INDEX : sector_index(g->net, r->point[i].a, r->point[i].b), 0};
-}
-
-static int least_grade(const growth *g, const step_stencils *s, const point_stencil *p)
-{
-    int least = INT_MAX;
-    for (int i = 0; i < count_of(p); i++) {
-        int e = grade_at(g, part_of(g, s, p, i).at);
-        least = e < least ? e : least;
-    }
-    return least;
-}
-
-/* z *= kappa^power */
-static void scale(number *z, const growth *g, int power)
+void graded_scale(number *z, const number *kappa, int power, long prec)
 {
     number factor;
     number_init(&factor);
     number_one(&factor);
     for (int i = 0; i < power; i++)
-        number_mul(&factor, &factor, &g->block->kappa, g->prec);
-    number_mul(z, &factor, z, g->prec);
+        number_mul(&factor, &factor, kappa, prec);
+    number_mul(z, &factor, z, prec);
     number_clear(&factor);
 }
 
-/* V(y) = sum of kappa^(e(y') - least) w V(y') over L, and its grade. */
-static void extend_to(growth *g, const step_stencils *s, const point_stencil *p)
+/* ---- the parts of a new value ---- */
+
+/* kappa^grade times the weight, one of the two, times the old value at `at`. */
+typedef struct {
+    int grade, at;
+    const number *weight;
+    const rational *exact_weight;
+} part;
+
+typedef struct {
+    part *item;
+    int count;
+} parts;
+
+static void add_part(parts *z, const graded_net *old_net, int at, int shift, const number *weight, const rational *exact_weight)
 {
-    int least = least_grade(g, s, p);
-    number *sum = &g->net->x[p->at], part;
-    number_init(&part);
+    if (old_net->grade[at] != GRADED_ABSENT)
+        z->item[z->count++] = (part){old_net->grade[at] + shift, at, weight, exact_weight};
+}
+
+/* Term by term: (k/unit)^i is kappa^-i. */
+static void add_growing_parts(parts *z, const graded_net *old_net, int at, const laurent_value *w)
+{
+    for (int i = laurent_value_high(w); i >= laurent_value_low(w); i--)
+        if (!rational_is_zero(laurent_value_at(w, i)))
+            add_part(z, old_net, at, -i, NULL, laurent_value_at(w, i));
+}
+
+/* What subdivisions call `at`. */
+static int place_of(int at)
+{
+    return at == CENTRE_INDEX ? GRADED_CENTRE : 1 + at;
+}
+
+static int place_of_source(const graded_net *old_net, const source *s)
+{
+    return s->kind == SOURCE_CENTRE ? GRADED_CENTRE : graded_index(old_net, s->point.a, s->point.b);
+}
+
+/* T = 1, so that sectors do not count.  weights: of the centre's rule; NULL at other points. */
+static void list_parts(parts *z, const graded_net *old_net, const step_stencils *s, const point_stencil *p, const centre_weights *weights)
+{
+    z->count = 0;
+    for (size_t i = 0; !p->rule && i < p->count; i++)
+        add_part(z, old_net, place_of(s->term[p->first + i].at), 0, s->term[p->first + i].weight, NULL);
+    for (int i = 0; p->rule && i < p->rule->count; i++) {
+        int at = place_of_source(old_net, &p->rule->rule->sources[i]);
+        if (weights)
+            add_growing_parts(z, old_net, at, &weights->weight[i]);
+        else
+            add_part(z, old_net, at, 0, &p->rule->matrix[i].xx, NULL);
+    }
+}
+
+static size_t most_parts(const step_stencils *s)
+{
+    return s->terms + SCHEME_MAX_SOURCES * (2 * LAURENT_MAX_DEGREE + 1);
+}
+
+/* ---- their sum ---- */
+
+/* kappa^(grade - least) weight value */
+static void evaluate(number *z, const part *p, const graded_net *old_net, int least, const number *kappa, long prec)
+{
+    if (p->weight)
+        number_set(z, p->weight);
+    else
+        number_set_rational(z, p->exact_weight, prec);
+    number_mul(z, z, &old_net->value[p->at], prec);
+    if (p->grade > least)
+        graded_scale(z, kappa, p->grade - least, prec);
+}
+
+/* false: no memory. */
+static bool add_up(graded_net *new_net, int at, const parts *p, const graded_net *old_net, const number *kappa, long prec)
+{
+    number *sum = &new_net->value[at], x;
+    int least = GRADED_ABSENT;
+    number_init(&x);
     number_zero(sum);
-    for (int i = 0; i < count_of(p); i++) {
-        mask_term t = part_of(g, s, p, i);
-        number_mul(&part, t.weight, t.at == CENTRE_INDEX ? &g->net->centre : &g->net->x[t.at], g->prec);
-        scale(&part, g, grade_at(g, t.at) - least);
-        number_add(sum, sum, &part, g->prec);
+    for (int i = 0; i < p->count; i++)
+        least = p->item[i].grade < least ? p->item[i].grade : least;
+    for (int i = 0; i < p->count; i++) {
+        evaluate(&x, &p->item[i], old_net, least, kappa, prec);
+        number_add(sum, sum, &x, prec);
     }
-    number_div(sum, sum, g->eigenvalue, g->prec);
-    g->grade[p->at] = g->degree + least;
-    number_clear(&part);
+    new_net->grade[at] = least;
+    number_clear(&x);
+    return !number_lacks_memory(sum);
 }
 
-/* ---- ring by ring ---- */
+/* ---- steps ---- */
 
-static int ring_of(const sector_net *net, const point_stencil *p)
+static subdivide_status apply_step(graded_net *new_net, const graded_net *old_net, const step_stencils *s, const centre_weights *weights, const number *kappa, long prec)
 {
-    return mesh_ring(net->mesh, p->at / (net->rings + 1) + 1, p->at % (net->rings + 1));
+    parts p = {malloc(most_parts(s) * sizeof *p.item), 0};
+    bool ok = p.item != NULL;
+    for (int i = 0; ok && i < s->points; i++) {
+        list_parts(&p, old_net, s, &s->point[i], NULL);
+        ok = add_up(new_net, place_of(s->point[i].at), &p, old_net, kappa, prec);
+    }
+    if (ok && s->to != MESH_DUAL && s->has_centre) {
+        list_parts(&p, old_net, s, &s->centre, weights);
+        ok = add_up(new_net, GRADED_CENTRE, &p, old_net, kappa, prec);
+    }
+    free(p.item);
+    if (!ok)
+        return SUBDIVIDE_NO_MEMORY;
+    return s->to != MESH_DUAL && !s->has_centre ? SUBDIVIDE_NO_CENTRE_RULE : SUBDIVIDE_OK;
 }
 
-/* Beyond the rings of the block each ring needs only those before it (scheme_closed_rings). */
-static void extend(growth *g, const step_stencils *s, int known)
+subdivide_status graded_subdivide(graded_net *new_net, const graded_net *old_net, const subdivision *z, const centre_weights *weights, const number *kappa)
 {
-    for (int j = known + 1; j <= g->net->rings; j++)
-        for (int i = 0; i < s->points; i++)
-            if (ring_of(g->net, &s->point[i]) == j)
-                extend_to(g, s, &s->point[i]);
-}
-
-static void set_grades(growth *g, const graded_choice *c)
-{
-    const block *b = g->block->plain;
-    for (int i = 0; i < b->n; i++) {
-        if (b->unknowns[i].kind == UNKNOWN_CENTRE)
-            g->grade_of_centre = c->grade[i];
+    int steps = z->numbers->scheme->step_count;
+    graded_net between[2];
+    subdivide_status result = SUBDIVIDE_OK;
+    memset(between, 0, sizeof between);
+    memset(new_net, 0, sizeof *new_net);
+    for (int i = 0; result == SUBDIVIDE_OK && i < steps; i++) {
+        const graded_net *from = i ? &between[(i - 1) % 2] : old_net;
+        graded_net *to = i == steps - 1 ? new_net : &between[i % 2];
+        graded_net_free(to);
+        if (!graded_net_make(to, z->step[i].to, z->step[i].rings))
+            result = SUBDIVIDE_NO_MEMORY;
         else
-            g->grade[sector_index(g->net, b->unknowns[i].a, b->unknowns[i].b)] = c->grade[i];
+            result = apply_step(to, from, &z->step[i], &weights[i], kappa, z->numbers->prec);
     }
-}
-
-/* ---- one power for all ---- */
-
-/* Which values the boundary needs.  false: one lies opposite. */
-static bool mark_windows(bool *needed, const sector_net *net, const ring *r)
-{
-    for (int i = 0; i < r->boundary_count; i++) {
-        const element *e = &r->boundary[i];
-        for (int j = 0; j < r->stencil[RING_VALUES].window[e->type].count; j++) {
-            lattice p = r->stencil[RING_VALUES].window[e->type].point[j];
-            int a = e->a + p.a, b = e->b + p.b, turns;
-            if (!mesh_reduce(net->mesh, net->regular, &a, &b, &turns))
-                return false;
-            needed[sector_index(net, a, b)] = true;
-        }
-    }
-    return true;
-}
-
-static void level(growth *g, const bool *needed)
-{
-    int size = sector_size(g->net->rings), least = INT_MAX;
-    for (int i = 0; i < size; i++)
-        least = needed[i] && g->grade[i] < least ? g->grade[i] : least;
-    for (int i = 0; i < size; i++)
-        if (needed[i])
-            scale(&g->net->x[i], g, g->grade[i] - least);
-}
-
-static block_status grow(growth *g, const graded_choice *c, const number *box, const scheme_numbers *numbers, const ring *r, bool *needed)
-{
-    const block *b = g->block->plain;
-    subdivision s;
-    block_status result = block_from_subdivide(subdivision_make(&s, numbers, block_is_planar(b), g->net->rings, g->net->rings));
-    if (result == BLOCK_OK) {
-        block_net(g->net, b, box, NULL, g->prec);
-        set_grades(g, c);
-        extend(g, &s.step[0], b->rings);
-        if (mark_windows(needed, g->net, r))
-            level(g, needed);
-        else
-            result = BLOCK_OPPOSITE;
-    }
-    subdivision_free(&s);
-    return result;
-}
-
-block_status graded_net_make(sector_net *net, const graded_block *b, const graded_choice *c, const number *box, const scheme_numbers *numbers, const ring *r)
-{
-    int rings = r->rings > b->plain->rings ? r->rings : b->plain->rings;
-    growth g = {net, calloc((size_t)sector_size(rings), sizeof *g.grade), 0, b, &box[b->plain->n], c->degree, numbers->prec};
-    bool *needed = calloc((size_t)sector_size(rings), sizeof *needed);
-    block_status result = BLOCK_NO_MEMORY;
-    if (sector_net_make(net, b->plain->mesh, block_is_planar(b->plain), rings, NULL) && g.grade && needed)
-        result = grow(&g, c, box, numbers, r, needed);
-    free(g.grade);
-    free(needed);
+    graded_net_free(&between[0]);
+    graded_net_free(&between[1]);
     return result;
 }

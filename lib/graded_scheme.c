@@ -13,18 +13,20 @@ static bool rule_is_graded(bool *is, bool *varies, const rule *r, valence_range 
     return ok;
 }
 
-/* (One step with a rule of the centre is that of a mask: compositions begin with one that has none.) */
-status scheme_centre_is_graded(bool *is, bool *varies, const scheme *s, valence_range k, diagnostic *d)
+static status step_is_graded(bool *is, bool *varies, const scheme_step *step, valence_range k, diagnostic *d)
 {
     const rule *centre = NULL;
-    status result = STATUS_OK;
-    *is = *varies = false;
-    if (s->step_count == 1)
-        result = scheme_centre_alone_varies(is, s, k, d);
-    if (result == STATUS_OK && *is)
-        result = scheme_find_rule_range(&centre, &s->steps[0], true, (lattice){0, 0}, k, d);
-    *is = *is && centre;
-    if (result == STATUS_OK && *is && !rule_is_graded(is, varies, centre, k))
+    status result = scheme_find_rule_range(&centre, step, true, (lattice){0, 0}, k, d);
+    if (result == STATUS_OK && centre && !rule_is_graded(is, varies, centre, k))
         result = STATUS_NO_MEMORY;
+    return result;
+}
+
+status scheme_centre_is_graded(bool *is, bool *varies, const scheme *s, valence_range k, diagnostic *d)
+{
+    status result = scheme_centre_alone_varies(is, s, k, d);
+    *varies = false;
+    for (int i = 0; result == STATUS_OK && *is && i < s->step_count; i++)
+        result = step_is_graded(is, varies, &s->steps[i], k, d);
     return result;
 }

@@ -5,8 +5,8 @@
 
 #include "scheme.h"
 
-/* Is the scheme of this kind?  One step, a rule of the centre that holds at all valences of the range and has Laurent values, and
-   all else as scheme_centre_alone_varies says.  *varies: some weight of the centre is no constant. */
+/* Is the scheme of this kind?  The weights of the rules of the centre that hold in the range have Laurent values, and all else is as
+   scheme_centre_alone_varies says.  *varies: some weight of the centre is no constant. */
 status scheme_centre_is_graded(bool *is, bool *varies, const scheme *s, valence_range k, diagnostic *d);
 
 #endif

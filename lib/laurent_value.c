@@ -195,7 +195,7 @@ static bool power(laurent_value *z, bool *known, const formula *f, valence_range
         ok = laurent_value_make(&x) && formula_laurent_value(&x, known, f->child[0], k) && laurent_value_set_si(z, 1);
     for (long i = 0; ok && *known && i < n; i++) {
         ok = multiply(z, known, &x);
-        *known = *known && is_short(z);
+        *known = ok && *known && is_short(z);
     }
     laurent_value_clear(&x);
     return ok;
@@ -240,7 +240,7 @@ bool formula_laurent_value(laurent_value *z, bool *known, const formula *f, vale
         return formula_laurent_value(z, known, f->child[0], k) && (!*known || negate(z));
     case FORMULA_BINARY:
         ok = binary(z, known, f, k);
-        *known = *known && is_short(z);
+        *known = ok && *known && is_short(z);
         return ok;
     case FORMULA_POWER:
         return power(z, known, f, k);

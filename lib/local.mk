@@ -88,7 +88,8 @@ LIB_AFFINE_SOURCES = \
   lib/reciprocal.h lib/reciprocal.c \
   lib/block_affine.h lib/block_affine.c \
   lib/charnet.h lib/charnet.c \
-  lib/graded.h lib/graded.c lib/graded_net.c \
+  lib/graded_net.h lib/graded_net.c \
+  lib/graded.h lib/graded.c lib/graded_sector.c \
   lib/patch.h lib/patch.c
 # Compiled for exact numbers of a field of cosines, too.
 LIB_COSINES_SOURCES = \

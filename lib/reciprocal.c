@@ -45,18 +45,14 @@ affine *reciprocal_powers(const affine *kappa, int count, long prec)
     return z;
 }
 
-/* The coefficient of kappa^i is that of w's power shift - i. */
-void reciprocal_laurent_value(affine *z, const laurent_value *w, int shift, const affine *kappa, long prec)
+void reciprocal_laurent_value(affine *z, const laurent_value *w, const affine *kappa, long prec)
 {
-    int least = laurent_value_low(w);
     affine c;
     affine_init(&c);
-    affine_set_rational(z, laurent_value_at(w, least), prec);
-    for (int i = shift - least - 1; i >= 0; i--) {
+    affine_zero(z);
+    for (int i = laurent_value_low(w); i <= 0; i++) {
+        affine_set_rational(&c, laurent_value_at(w, i), prec);
         affine_mul(z, z, kappa, prec);
-        if (shift - i > LAURENT_MAX_DEGREE)
-            continue;
-        affine_set_rational(&c, laurent_value_at(w, shift - i), prec);
         affine_add(z, z, &c, prec);
     }
     affine_clear(&c);

@@ -19,7 +19,7 @@ bool reciprocal_set_down_to_zero(affine *kappa, valence_range k, long prec);
 /* A new array: kappa^0 .. kappa^(count-1), each the one before times kappa; NULL: no memory. */
 affine *reciprocal_powers(const affine *kappa, int count, long prec);
 
-/* z = w(1/kappa) kappa^shift, by Horner's rule; shift >= the highest exponent in w. */
-void reciprocal_laurent_value(affine *z, const laurent_value *w, int shift, const affine *kappa, long prec);
+/* z = w at k = 1/kappa, by Horner's rule; w has no exponents > 0. */
+void reciprocal_laurent_value(affine *z, const laurent_value *w, const affine *kappa, long prec);
 
 #endif

@@ -105,6 +105,15 @@ int scheme_rings_needed(const scheme *s, int ring)
     return ring;
 }
 
+/* Beyond the rings of a block (scheme_closed_rings) ring j needs less than j: one more at least. */
+int scheme_rings_reached(const scheme *s, int known, int wanted)
+{
+    int upto = known;
+    while (upto < wanted && scheme_rings_needed(s, upto + 1) <= known)
+        upto++;
+    return upto;
+}
+
 /* Beyond the rings on which a rule or the mask's reach matters, needed(j) <= (j + constant) / 2 < j. */
 int scheme_closed_rings(const scheme *s)
 {

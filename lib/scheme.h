@@ -99,6 +99,9 @@ static inline status scheme_find_rule(const rule **z, const scheme_step *s, bool
 /* How many old rings new values on rings up to `ring` (and at the centre) need: in one step, and over all steps. */
 int scheme_step_rings_needed(const scheme_step *s, int ring);
 int scheme_rings_needed(const scheme *s, int ring);
+/* From values on the rings up to `known` (and at the centre) new ones follow up to that ring, or `wanted` if that is less.  More than are known, if
+   these are scheme_closed_rings at least. */
+int scheme_rings_reached(const scheme *s, int known, int wanted);
 /* The least number of rings that are closed under subdivision such that farther ones only add eigenvalues 0. */
 int scheme_closed_rings(const scheme *s);
 

@@ -64,9 +64,11 @@ static int open_archive(prove_run *r)
 
 /* ---- the work ---- */
 
-static void summarise(const prove_run *r)
+/* false: no memory. */
+static bool summarise(const prove_run *r)
 {
     buffer text;
+    bool ok;
     buffer_init(&text);
     if (r->options.json) {
         buffer_print(&text, "{\"scheme\":\"%s\",\"boxes\":%ld,", r->scheme.name, r->classification.boxes);
@@ -78,14 +80,16 @@ static void summarise(const prove_run *r)
         if (r->options.uniform)
             buffer_print(&text, "; uniform method: nets up to +/- %.2g wide, level %d at most", r->classification.uniform_width, r->classification.uniform_level);
     }
-    if (!text.failed)
+    ok = !text.failed;
+    if (ok)
         puts(text.bytes);
     buffer_clear(&text);
+    return ok;
 }
 
 static int decide_all(prove_run *r)
 {
-    bool ran;
+    bool ran, told;
     progress_begin(&r->progress, r->list.count);
     keeper_start(&r->keeper);
     ran = (r->in_ranges ? prove_decide_ranges : prove_decide_each)(r);
@@ -93,8 +97,7 @@ static int decide_all(prove_run *r)
     progress_clear(&r->progress);
     if (!ran)
         return complain(EXIT_NO_MEMORY, "no memory");
-    if (r->classification.count)
-        summarise(r);
+    told = !r->classification.count || summarise(r);
     if (r->result <= EXIT_UNDECIDED || r->result == EXIT_INTERRUPTED || r->result == EXIT_BAD_INPUT) {
         int written = command_write_index(&r->archive);
         if (written)
@@ -102,6 +105,8 @@ static int decide_all(prove_run *r)
     }
     if (r->result == EXIT_INTERRUPTED)
         complain(0, r->archive.path ? "interrupted; what is finished is kept in %s, and the same command goes on" : "interrupted", r->archive.path);
+    if (!told)
+        return complain(EXIT_NO_MEMORY, "no memory for the last line, which sums up the others");
     return r->result;
 }
 

@@ -22,7 +22,13 @@ static outcome check_scheme(analysis *a)
 static outcome make_matrix(analysis *a, graded_block *b)
 {
     graded_choice *c = &a->choices->graded;
-    truth t = (a->replay || graded_choose(c, b)) && graded_block_set_unit(b, c->unit, a->prec) ? graded_matrix(&a->matrix, b, c, a->prec) : TRUTH_FALSE;
+    block_status s = a->replay ? BLOCK_OK : graded_choose(c, b);
+    truth t;
+    if (s == BLOCK_OK)
+        s = graded_block_scale(b, c->unit);
+    if (s != BLOCK_OK)
+        return analysis_from_block(a, s, NULL);
+    t = graded_matrix(&a->matrix, b, c);
     a->order = a->dominant.n;
     if (t == TRUTH_UNKNOWN)
         return findings_explain(a->findings, OUTCOME_FALSE, "these grades leave powers of k that grow, or are beyond the limits of certificates");
@@ -53,7 +59,9 @@ static outcome bound(analysis *a, const number *kappa)
         if (number_is_negative(&modulus) == TRUTH_TRUE)
             number_neg(&modulus, &modulus);
         number_sub(&excess, &modulus, &powers[d], a->prec);
-        if (number_is_positive(&modulus) != TRUTH_TRUE || number_is_positive(&excess) != TRUTH_TRUE)
+        if (number_lacks_memory(&excess))
+            o = OUTCOME_NO_MEMORY;
+        else if (number_is_positive(&modulus) != TRUTH_TRUE || number_is_positive(&excess) != TRUTH_TRUE)
             o = findings_explain(a->findings, OUTCOME_FAIL, "the dominant eigenvalue of block 0 could not be shown to lie beyond 1");
         note_bounds(a, &modulus);
         number_array_free(powers, (size_t)d + 1);
@@ -71,7 +79,7 @@ static outcome prove(analysis *a, graded_block *b)
     if (o == OUTCOME_TRUE)
         o = bound(a, &b->kappa);
     if (o == OUTCOME_TRUE) {
-        o = analysis_from_block(a, graded_net_make(&a->net, b, &a->choices->graded, a->box, &a->numbers, &a->plan->problem->geometry), NULL);
+        o = analysis_from_block(a, graded_sector_net(&a->net, b, &a->choices->graded, a->box, &a->plan->problem->geometry), NULL);
         a->net_made = o == OUTCOME_TRUE;
     }
     return o;

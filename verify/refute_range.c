@@ -36,29 +36,32 @@ static outcome attempt_claim(findings *f, choices *c, const analysis_plan *plan,
 }
 
 /* Where the eigenvalue changes with k, intervals of weights would be too wide. */
-static claim_kind choose_growth(const scheme *s, valence_range k, long frequency)
+static outcome attempt_growth(findings *f, choices *c, const analysis_plan *plan, valence_range k, long frequency, long precision)
 {
     diagnostic unused;
-    bool is, varies;
-    return frequency == 0 && scheme_centre_is_graded(&is, &varies, s, k, &unused) == STATUS_OK && is && varies ? CLAIM_GRADED : CLAIM_NOT_C0;
+    bool is = false, varies = false;
+    if (frequency == 0 && scheme_centre_is_graded(&is, &varies, plan->problem->scheme, k, &unused) == STATUS_NO_MEMORY)
+        return OUTCOME_NO_MEMORY;
+    return attempt_claim(f, c, plan, k, is && varies ? CLAIM_GRADED : CLAIM_NOT_C0, frequency, precision);
 }
 
 /* If blocks are functions of m/k alone, whichever frequency falls into a window dominates. */
-static bool may_have_window(const scheme *s, valence_range k)
+static outcome attempt_window(findings *f, choices *c, const analysis_plan *plan, valence_range k, long precision)
 {
     diagnostic unused;
-    bool vary;
-    return scheme_weights_vary_with_frequency(&vary, s, k, &unused) == STATUS_OK && !vary;
+    bool vary = true;
+    if (scheme_weights_vary_with_frequency(&vary, plan->problem->scheme, k, &unused) == STATUS_NO_MEMORY)
+        return OUTCOME_NO_MEMORY;
+    return vary ? OUTCOME_FAIL : attempt_claim(f, c, plan, k, CLAIM_WINDOW, 2, precision);
 }
 
 outcome refute_range(findings *f, choices *c, const analysis_plan *plan, valence_range k, range_reason r, long precision)
 {
-    const scheme *s = plan->problem->scheme;
     outcome o = OUTCOME_FAIL;
     if (r.claim == CLAIM_NOT_C0)
-        return attempt_claim(f, c, plan, k, choose_growth(s, k, r.frequency), r.frequency, precision);
-    if (r.frequency > 1 && may_have_window(s, k))
-        o = attempt_claim(f, c, plan, k, CLAIM_WINDOW, 2, precision);
+        return attempt_growth(f, c, plan, k, r.frequency, precision);
+    if (r.frequency > 1)
+        o = attempt_window(f, c, plan, k, precision);
     if (o == OUTCOME_TRUE || o == OUTCOME_NO_MEMORY || o == OUTCOME_STOPPED || r.claim == CLAIM_WINDOW)
         return o;
     return attempt_claim(f, c, plan, k, r.claim, r.frequency, precision);

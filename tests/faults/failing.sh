@@ -65,6 +65,27 @@ scenario() { # NAME STATUS ARGUMENT...
   verdicts output >expected
 }
 
+# Ranges: the same classification, though perhaps in other boxes, or no memory; nothing that is said is wrong.
+classified() { # NAME STATUS ARGUMENT...
+  name=$1 wanted=$2 n=1
+  shift 2
+  "$SMOOTHCERT" prove "$@" --out none >whole 2>stderr
+  expected=$(tail -n 1 whole | sed 's/.*: //')
+  while :; do
+    faulty FAULTS_FAIL="malloc:$n:12" FAULTS_COUNT=count prove "$@" --out none >output 2>stderr
+    status=$?
+    [ "$(grep '^[a-z]*: ' output | sed 's/: .*//' | sort -u)" = refuted ] || [ ! -s output ] || { echo "FAIL failing-$name-malloc-$n: $(head -n 1 output)"; return; }
+    case $status in
+      71) [ -s stderr ] || { echo "FAIL failing-$name-malloc-$n: no message"; return; } ;;
+      "$wanted") [ "$(tail -n 1 output | sed 's/.*: //')" = "$expected" ] || { echo "FAIL failing-$name-malloc-$n: $(tail -n 1 output)"; return; } ;;
+      *) echo "FAIL failing-$name-malloc-$n: exit status $status: $(cat stderr)"; return ;;
+    esac
+    [ "$(sed -n 's/^malloc //p' count)" -ge "$n" ] || break
+    n=$((n + FAULTS_MALLOCS))
+  done
+  holds "$name-malloc" $((n == 1))
+}
+
 # Commands that only look: all of their answer, or an error.  (Where memory is short for a moment, rerun may find other choices.)
 reader() { # NAME KIND ERROR STEP ARGUMENT...
   name=$1 kind=$2 error=$3 step=$4
@@ -117,6 +138,7 @@ everything() {
   scenario refuted 1 "$SRCDIR/tests/certificates/schemes/centre-above.scheme" --valence 5
   each malloc 12 "$FAULTS_MALLOCS"
   each fsync 5 1
+  classified smooth-grows 1 "$SRCDIR/tests/verify/schemes/smooth-grows.scheme" --valence 200..inf
   readers
 }
 

@@ -45,14 +45,26 @@ static span value_at(const number *x, double t)
     return (span){base(lower_bound)(&x->centre) + fmin(p, q) - slack, base(upper_bound)(&x->centre) + fmax(p, q) + slack};
 }
 
-/* On triangles each new value asks for values with the same grade; on quads some do not. */
-static const char triangle[] = "triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 5/8\n(1,0) 3/8\n(1,1) 1/8\n(2,0) 1/16\nend";
-static const char quad[] = "quad\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 9/16\n(1,0) 3/8\n(1,1) 1/4\n(2,0) 3/32\n(2,1) 1/16\n(2,2) 1/64\nend";
+/* A scheme file around what its centre is made of. */
+typedef struct {
+    const char *before, *after;
+} family;
 
-static void make_subject(subject *z, const char *mesh, const char *centre)
+#define RULE "rule centre\ncentre "
+#define NEIGHBOURS "\nall (2,0) 1/16\nall (1,0) rest\nend\n"
+
+/* On triangles each new value asks for values with the same grade; on quads some do not. */
+static const family triangle = {"triangle\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 5/8\n(1,0) 3/8\n(1,1) 1/8\n(2,0) 1/16\nend\n" RULE, NEIGHBOURS};
+static const family quad = {"quad\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 9/16\n(1,0) 3/8\n(1,1) 1/4\n(2,0) 3/32\n(2,1) 1/16\n(2,2) 1/64\nend\n" RULE, NEIGHBOURS};
+/* The centre of the nets between the steps grows, too. */
+static const family last = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2 centre ", "\nend\n"};
+static const family first = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2 centre ", "\nsmooth 1/3, 1/3\nend\n"};
+static const family both = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nrepeat 2: smooth 1/4, 1/2 centre ", "\nend\n"};
+
+static void make_subject(subject *z, family f, const char *centre)
 {
     char text[1000];
-    snprintf(text, sizeof text, "scheme s\nmesh %s\nrule centre\ncentre %s\nall (2,0) 1/16\nall (1,0) rest\nend\n", mesh, centre);
+    snprintf(text, sizeof text, "scheme s\nmesh %s%s%s", f.before, centre, f.after);
     read_scheme(&z->scheme, text);
     regular_init(&z->regular);
     ring_init(&z->ring);
@@ -76,10 +88,10 @@ static void make_many(setting *z, const subject *s, valence_range k)
     graded_choice_init(&z->choice);
     CHECK(scheme_centre_is_graded(&is, &varies, &s->scheme, k, &d) == STATUS_OK && is && varies, "not graded");
     CHECK(scheme_numbers_make_range(&z->numbers, &s->scheme, k, PRECISION, &d) == STATUS_OK && graded_block_make(&z->graded, &z->plain, &z->numbers, &d) == BLOCK_OK, "%s", d.text);
-    MUST(graded_choose(&z->choice, &z->graded) && graded_block_set_unit(&z->graded, z->choice.unit, PRECISION));
-    CHECK(graded_matrix(&z->matrix, &z->graded, &z->choice, PRECISION) == TRUTH_TRUE, "no matrix");
+    CHECK(graded_choose(&z->choice, &z->graded) == BLOCK_OK && graded_block_scale(&z->graded, z->choice.unit) == BLOCK_OK, "no block");
+    CHECK(graded_matrix(&z->matrix, &z->graded, &z->choice) == TRUTH_TRUE, "no matrix");
     find_pair(z, z->matrix);
-    CHECK(graded_net_make(&z->net, &z->graded, &z->choice, z->box, &z->numbers, &s->ring) == BLOCK_OK, "no net");
+    CHECK(graded_sector_net(&z->net, &z->graded, &z->choice, z->box, &s->ring) == BLOCK_OK, "no net");
 }
 
 static void make_one(setting *z, const subject *s, long k)
@@ -153,14 +165,14 @@ static void compare_nets(const setting *many, const setting *one, const ring *r,
     number_clear(&unused);
 }
 
-static void try_range(const char *mesh, const char *centre, valence_range k, int degree)
+static void try_range(family f, const char *centre, valence_range k, int degree)
 {
     subject s;
     setting many;
-    make_subject(&s, mesh, centre);
+    make_subject(&s, f, centre);
     make_many(&many, &s, k);
     CHECK(many.choice.degree == degree, "%s: degree %d", centre, many.choice.degree);
-    for (long v = k.first; v <= k.last && v <= 2 * k.first && !test_failed(); v++) {
+    for (long v = k.first; v <= k.last && v <= 2 * k.first && !test_failed(); v += 1 + k.first / 8) {
         double kappa = (double)many.choice.unit / (double)v, t = (kappa - base(mid_approx)(&many.graded.kappa.centre)) / base(mid_approx)(&many.graded.kappa.slope);
         setting one;
         CHECK(fabs(t) < 1 + 1e-9, "valence %ld is not in the range", v);
@@ -184,6 +196,12 @@ static void test_graded(void)
     try_range(triangle, "1 - k^2/100 + k/7", (valence_range){400, 440}, 2);
     try_range(quad, "1 - k/8", (valence_range){100, VALENCES_UNBOUNDED}, 1);
     try_range(quad, "1 - k/8", (valence_range){30, 32}, 1);
+    try_range(last, "1 - k/8, 2/k", (valence_range){100, VALENCES_UNBOUNDED}, 1);
+    try_range(last, "1 - k/8, k", (valence_range){30, 32}, 1);
+    try_range(first, "1 - k/8, 2/k", (valence_range){10000, VALENCES_UNBOUNDED}, 1);
+    try_range(first, "k^2/30, k/5", (valence_range){50, 51}, 2);
+    try_range(both, "1 - k/8, 2/k", (valence_range){200, VALENCES_UNBOUNDED}, 2);
+    try_range(both, "k^2/10, k", (valence_range){100, VALENCES_UNBOUNDED}, 4);
     test_end();
 }
 

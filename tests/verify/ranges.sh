@@ -94,6 +94,8 @@ classified() { # NAME LINE SCHEME ARGUMENT...
 own=$SRCDIR/tests/verify/schemes
 classified sixteenth 'loop-sixteenth, in 27 boxes: C1: 5..19; not C1: 3, 20..25 (frequency 0), 4 (tie), 26..inf (not-C0)' "$own/loop-sixteenth.scheme"
 classified quad-eighth 'quad-eighth, in 17 boxes: C1: 3..9; not C1: 10..12 (frequency 0), 13..inf (not-C0)' "$own/quad-eighth.scheme"
+classified smooth-grows 'smooth-grows, in 21 boxes: C1: 4..14; not C1: 3, 15..18 (frequency 0), 19..inf (not-C0)' "$own/smooth-grows.scheme"
+classified steps-grow 'steps-grow, in 44 boxes: C1: 3..15; not C1: 16..18 (frequency 0), 19..inf (not-C0)' "$own/steps-grow.scheme"
 classified two-turns 'two-turns, in 10 boxes: C1: 3; not C1: 4 (real), 5..inf (frequency)' "$own/two-turns.scheme"
 classified heavy 'centre-powers, in 2 boxes: not C1: 3..inf (frequency 0)' "$own/centre-powers.scheme" --set a=31/25
 classified heavy-negative 'centre-powers, in 2 boxes: not C1: 3..inf (frequency 0)' "$own/centre-powers.scheme" --set a=-1/2
@@ -122,6 +124,8 @@ alike() { # NAME SCHEME ARGUMENT...
 }
 alike sixteenth-alike "$own/loop-sixteenth.scheme"
 alike quad-eighth-alike "$own/quad-eighth.scheme"
+alike smooth-grows-alike "$own/smooth-grows.scheme"
+alike steps-grow-alike "$own/steps-grow.scheme"
 alike two-turns-alike "$own/two-turns.scheme"
 alike squares-alike "$own/centre-powers.scheme" --set a=1 --set c=-1/100
 alike folds-alike doo-sabin-spectrum --set l=999/1000
