@@ -97,12 +97,16 @@ static inline void affine_sub(affine *z, const affine *x, const affine *y, long 
     number_sub(&z->slope, &x->slope, &y->slope, prec);
 }
 
-/* z += (slope of x) (range of y); most numbers are constants. */
+/* z += (slope of x) (range of y); most numbers are constants, and their range is the centre. */
 static inline void affine_add_part_(number *z, const affine *x, const affine *y, long prec)
 {
     number range;
     if (number_is_zero(&x->slope) == TRUTH_TRUE)
         return;
+    if (number_is_zero(&y->slope) == TRUTH_TRUE) {
+        number_addmul(z, &x->slope, &y->centre, prec);
+        return;
+    }
     number_init(&range);
     affine_range(&range, y, prec);
     number_addmul(z, &x->slope, &range, prec);

@@ -185,23 +185,66 @@ static inline void product_words(limb_signed_pair_t *lower, limb_signed_pair_t *
     *upper = -(-high >> g);
 }
 
-static inline bool words_ready(const grid *x, const grid *y, long g)
+/* ---- endpoints below 2^95, with g = 64: what a product loses is its lowest limb ---- */
+
+static inline bool are_middling(const grid *x, const grid *y)
 {
-    return grid_ready(x, g) && grid_ready(y, g) && g >= 0 && g <= 64 && are_words(x, y);
+    return !(x->lower.capacity | x->upper.capacity | y->lower.capacity | y->upper.capacity)
+           && !((x->lower.at.inline_limbs[1] | x->upper.at.inline_limbs[1] | y->lower.at.inline_limbs[1]
+                 | y->upper.at.inline_limbs[1]) >> 31);
 }
 
-/* z += p or z -= p, all short */
-static void accumulate_words(grid *z, const grid *x, const grid *y, long g, bool subtract)
+/* floor(p q / 2^64), or the ceiling; |p q| < 2^190.  With p = p1 2^64 + p0, q alike, 0 <= p0, q0 < 2^64, it is p1 q1 2^64 + p1 q0 + p0 q1
+   and what p0 q0 carries; the sum, below 2^126, is right although its terms are computed modulo 2^128. */
+static inline limb_signed_pair_t middling_product(limb_signed_pair_t p, limb_signed_pair_t q, bool up)
 {
-    limb_signed_pair_t lower, upper;
-    product_words(&lower, &upper, x, y, (unsigned)g);
-    if (subtract) {
-        limb_signed_pair_t t = -lower;
-        lower = -upper;
-        upper = t;
+    limb_t p0 = (limb_t)p, q0 = (limb_t)q, p1 = (limb_t)(p >> 64), q1 = (limb_t)(q >> 64);
+    limb_pair_t low = (limb_pair_t)p0 * q0, cross = (limb_pair_t)p1 * q0, other = (limb_pair_t)p0 * q1;
+    limb_t high = p1 * q1 - (p < 0 ? q0 : 0) - (q < 0 ? p0 : 0); /* -1 as a limb is 2^64 - 1: 2^64 too much */
+    limb_pair_t sum = cross + other + (low >> 64) + ((limb_pair_t)high << 64) + (up && (limb_t)low != 0);
+    return (limb_signed_pair_t)sum;
+}
+
+/* As product_words, unless both x and y contain 0 inside: false. */
+static inline bool product_middling(limb_signed_pair_t *lower, limb_signed_pair_t *upper, const grid *x, const grid *y)
+{
+    limb_signed_pair_t a = integer_get_pair(&x->lower), b = integer_get_pair(&x->upper);
+    limb_signed_pair_t c = integer_get_pair(&y->lower), d = integer_get_pair(&y->upper);
+    if (a >= 0) {
+        *lower = middling_product(c >= 0 ? a : b, c, false);
+        *upper = middling_product(d >= 0 ? b : a, d, true);
+    } else if (b <= 0) {
+        *lower = middling_product(d >= 0 ? a : b, d, false);
+        *upper = middling_product(c >= 0 ? b : a, c, true);
+    } else if (c >= 0) {
+        *lower = middling_product(a, d, false);
+        *upper = middling_product(b, d, true);
+    } else if (d <= 0) {
+        *lower = middling_product(b, c, false);
+        *upper = middling_product(a, c, true);
+    } else {
+        return false;
     }
-    integer_set_pair(&z->lower, integer_get_pair(&z->lower) + lower);
-    integer_set_pair(&z->upper, integer_get_pair(&z->upper) + upper);
+    return true;
+}
+
+/* *lower and *upper: the product in grid units, below 2^126; false: not here. */
+static inline bool product_short(limb_signed_pair_t *lower, limb_signed_pair_t *upper, const grid *x, const grid *y, long g)
+{
+    if (!grid_ready(x, g) || !grid_ready(y, g))
+        return false;
+    if (g >= 0 && g <= 64 && are_words(x, y)) {
+        product_words(lower, upper, x, y, (unsigned)g);
+        return true;
+    }
+    return g == 64 && are_middling(x, y) && product_middling(lower, upper, x, y);
+}
+
+/* z += p (z -= p, if `subtract`), p = [lower, upper]; all short */
+static inline void accumulate(grid *z, limb_signed_pair_t lower, limb_signed_pair_t upper, long g, bool subtract)
+{
+    integer_set_pair(&z->lower, integer_get_pair(&z->lower) + (subtract ? -upper : lower));
+    integer_set_pair(&z->upper, integer_get_pair(&z->upper) + (subtract ? -lower : upper));
     grid_finish(z, g, true);
 }
 #endif
@@ -209,9 +252,8 @@ static void accumulate_words(grid *z, const grid *x, const grid *y, long g, bool
 void grid_mul(grid *z, const grid *x, const grid *y, long prec)
 {
 #if LIMB_INT128
-    if (words_ready(x, y, prec)) {
-        limb_signed_pair_t lower, upper;
-        product_words(&lower, &upper, x, y, (unsigned)prec);
+    limb_signed_pair_t lower, upper;
+    if (product_short(&lower, &upper, x, y, prec)) {
         integer_set_pair(&z->lower, lower);
         integer_set_pair(&z->upper, upper);
         grid_finish(z, prec, true);
@@ -236,8 +278,9 @@ void grid_sqr(grid *z, const grid *x, long prec)
 void grid_addmul(grid *z, const grid *x, const grid *y, long prec)
 {
 #if LIMB_INT128
-    if (grid_ready(z, prec) && is_short(z) && words_ready(x, y, prec)) {
-        accumulate_words(z, x, y, prec, false);
+    limb_signed_pair_t lower, upper;
+    if (grid_ready(z, prec) && is_short(z) && product_short(&lower, &upper, x, y, prec)) {
+        accumulate(z, lower, upper, prec, false);
         return;
     }
 #endif
@@ -251,8 +294,9 @@ void grid_addmul(grid *z, const grid *x, const grid *y, long prec)
 void grid_submul(grid *z, const grid *x, const grid *y, long prec)
 {
 #if LIMB_INT128
-    if (grid_ready(z, prec) && is_short(z) && words_ready(x, y, prec)) {
-        accumulate_words(z, x, y, prec, true);
+    limb_signed_pair_t lower, upper;
+    if (grid_ready(z, prec) && is_short(z) && product_short(&lower, &upper, x, y, prec)) {
+        accumulate(z, lower, upper, prec, true);
         return;
     }
 #endif

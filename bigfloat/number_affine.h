@@ -54,22 +54,33 @@ static inline void affine_sin_pi(affine *z, const rational *r, long prec)
     number_zero(&z->slope);
 }
 
-static inline void affine_addmul(affine *z, const affine *x, const affine *y, long prec)
+/* z += c x (-= if `negative`), c a constant, as most factors are. */
+static inline void affine_add_multiple_(affine *z, const affine *c, const affine *x, bool negative, long prec)
+{
+    if (number_is_zero(&x->slope) != TRUTH_TRUE)
+        (negative ? number_submul : number_addmul)(&z->slope, &c->centre, &x->slope, prec);
+    (negative ? number_submul : number_addmul)(&z->centre, &c->centre, &x->centre, prec);
+}
+
+static inline void affine_accumulate_(affine *z, const affine *x, const affine *y, bool negative, long prec)
 {
     affine product;
+    if (number_is_zero(&x->slope) == TRUTH_TRUE) {
+        affine_add_multiple_(z, x, y, negative, prec);
+        return;
+    }
+    if (number_is_zero(&y->slope) == TRUTH_TRUE) {
+        affine_add_multiple_(z, y, x, negative, prec);
+        return;
+    }
     affine_init(&product);
     affine_mul(&product, x, y, prec);
-    affine_add(z, z, &product, prec);
+    (negative ? affine_sub : affine_add)(z, z, &product, prec);
     affine_clear(&product);
 }
-static inline void affine_submul(affine *z, const affine *x, const affine *y, long prec)
-{
-    affine product;
-    affine_init(&product);
-    affine_mul(&product, x, y, prec);
-    affine_sub(z, z, &product, prec);
-    affine_clear(&product);
-}
+
+static inline void affine_addmul(affine *z, const affine *x, const affine *y, long prec) { affine_accumulate_(z, x, y, false, prec); }
+static inline void affine_submul(affine *z, const affine *x, const affine *y, long prec) { affine_accumulate_(z, x, y, true, prec); }
 static inline void affine_sqr(affine *z, const affine *x, long prec) { affine_mul(z, x, x, prec); }
 static inline void affine_mul_si(affine *z, const affine *x, long v, long prec)
 {

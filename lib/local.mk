@@ -67,7 +67,8 @@ LIB_GENERIC_SOURCES = \
   lib/separation.h lib/separation.c \
   lib/limit.h lib/limit.c \
   lib/charnet.h lib/charnet.c \
-  lib/patch.h lib/patch.c
+  lib/patch.h lib/patch.c \
+  lib/patch_product.h lib/patch_product.c
 
 # Compiled for jets of every kind of number, too.
 LIB_JET_SOURCES = \
@@ -90,7 +91,8 @@ LIB_AFFINE_SOURCES = \
   lib/charnet.h lib/charnet.c \
   lib/graded_net.h lib/graded_net.c \
   lib/graded.h lib/graded.c lib/graded_sector.c \
-  lib/patch.h lib/patch.c
+  lib/patch.h lib/patch.c \
+  lib/patch_product.h lib/patch_product.c
 # Compiled for exact numbers of a field of cosines, too.
 LIB_COSINES_SOURCES = \
   lib/formula_value.h lib/formula_value.c \

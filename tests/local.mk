@@ -139,6 +139,7 @@ GENERIC_TESTS = \
   tests/lib/t-charnet \
   tests/lib/t-charnet_schemes \
   tests/lib/t-charnet_affine \
+  tests/lib/t-patch_product \
   tests/lib/t-graded \
   tests/lib/t-ring \
   tests/verify/t-uniform_net \

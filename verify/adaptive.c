@@ -1,6 +1,8 @@
 /* adaptive.c: depth first, one set of windows per level. */
 #include "adaptive.h"
 
+#include "../lib/patch_product.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,24 +164,20 @@ static void make_patch(number *c, run *r, int net, element_type type, const numb
     patch_coefficients(c, r->task->patch[net], type, r->wide, r->scratch, r->prec);
 }
 
-/* r->product[the exponents of the factors added] += the quantity of the coefficients (i, j) of net 0 and those of the
-   others. */
-static void multiply_row(run *r, const bernstein_shape shape[], bernstein_shape product, int i, int j)
+/* r->product = the Jacobian of both nets' polynomials, or the quantity of the one net's coefficients. */
+static bool make_product(run *r, const bernstein_shape shape[], int size)
 {
     const adaptive_task *task = r->task;
-    int at = bernstein_shape_index(shape[0], i, j);
-    const number *x[ADAPTIVE_MAX_NETS] = {&r->patch_x[0][at]}, *y[ADAPTIVE_MAX_NETS] = {&r->patch_y[0][at]};
-    if (task->nets == 1) {
-        task->quantity(&r->product[at], x, y, task->data, r->prec);
-        return;
+    for (int i = 0; i < size; i++)
+        number_zero(&r->product[i]);
+    if (task->nets == 2)
+        return NUMBER_NAME(patch_add_product)(r->product, r->patch_x[0], shape[0], r->patch_y[1], shape[1], false, r->prec)
+               && NUMBER_NAME(patch_add_product)(r->product, r->patch_y[0], shape[0], r->patch_x[1], shape[1], true, r->prec);
+    for (int i = 0; i < size; i++) {
+        const number *x = &r->patch_x[0][i], *y = &r->patch_y[0][i];
+        task->quantity(&r->product[i], &x, &y, task->data, r->prec);
     }
-    for (int l = 0; l <= shape[1].degree[1]; l++)
-        for (int k = 0; k <= bernstein_shape_last(shape[1], l); k++) {
-            at = bernstein_shape_index(shape[1], k, l);
-            x[1] = &r->patch_x[1][at];
-            y[1] = &r->patch_y[1][at];
-            task->quantity(&r->product[bernstein_shape_index(product, i + k, j + l)], x, y, task->data, r->prec);
-        }
+    return true;
 }
 
 /* Are all coefficients of the quantity positive?  A corner's is its value there; the Bernstein coefficients, which bound it,
@@ -216,11 +214,8 @@ static outcome decide_by_coefficients(run *r, element_type type, int level, doub
         make_patch(r->patch_x[i], r, i, type, r->level[level].x[i], &w->radius[0]);
         make_patch(r->patch_y[i], r, i, type, r->level[level].y[i], &w->radius[1]);
     }
-    for (int i = 0; i < bernstein_shape_size(product); i++)
-        number_zero(&r->product[i]);
-    for (int j = 0; j <= shape[0].degree[1]; j++)
-        for (int i = 0; i <= bernstein_shape_last(shape[0], j); i++)
-            multiply_row(r, shape, product, i, j);
+    if (!make_product(r, shape, bernstein_shape_size(product)))
+        return OUTCOME_NO_MEMORY;
     return sign_of_coefficients(margin, r->product, product);
 }
 

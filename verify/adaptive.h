@@ -18,8 +18,8 @@
 #define adaptive_run NUMBER_NAME(adaptive_run)
 #define adaptive_seek NUMBER_NAME(adaptive_seek)
 
-/* z = z + the quantity that is to be positive, of the values (x[i], y[i]) of the nets i.  It must be linear in the pair of
-   each net: then what it makes of two polynomials follows from what it makes of each pair of coefficients. */
+/* z = z + the quantity that is to be positive, of the values (x[i], y[i]) of the nets i.  Of polynomials it is made by their
+   coefficients: of one net's it must be linear, and of two nets it must be the Jacobian x[0] y[1] - y[0] x[1] (else boxes_only). */
 typedef void (*adaptive_quantity)(number *z, const number *const x[], const number *const y[], const void *data, long prec);
 
 enum { ADAPTIVE_MAX_NETS = 2 };

@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A box of valences that needs more is better cut in two. */
-#define RANGE_MAX_ELEMENTS 20000
+/* A box of valences that needs so many elements beside those of the ring is better cut in two: its trees are deep where wide numbers are
+   hardly decided. */
+#define RANGE_MAX_ELEMENTS 2000
 
 void decision_init(decision *z)
 {
@@ -224,7 +225,7 @@ void decide_valence(decision *z, const problem *p, long valence, const buffer *e
 void decide_range(decision *z, const problem *p, valence_range k, range_reason r, const limits *l)
 {
     double start = deadline_now();
-    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = RANGE_MAX_ELEMENTS, .uniform = l->uniform};
+    analysis_plan plan = {.problem = p, .deadline = &l->deadline, .max_elements = p->geometry.element_count + RANGE_MAX_ELEMENTS, .uniform = l->uniform};
     long precision = l->precision ? l->precision : l->no_intervals ? LIMITS_MIN_PRECISION : 0;
     stop_sign before;
     choices c;
