@@ -26,27 +26,15 @@ struct computation {
 /* Pairs
  * ----- */
 
-/* Zeroed memory, and what is 0, adds nothing. */
-static void add_product(struct number *sum, const struct number *a, const struct number *b,
-                        const struct field *k)
-{
-    struct number product;
-
-    if (number_is_zero(a) || number_is_zero(b))
-        return;
-    product = number_mul(a, b, k);
-    *sum = number_is_zero(sum) ? product : number_add(sum, &product);
-}
-
 static struct exact_pair image(const struct number m[4], const struct exact_pair *v,
                                const struct field *k)
 {
     struct exact_pair out = { number_from_whole(0), number_from_whole(0) };
 
-    add_product(&out.x, &m[0], &v->x, k);
-    add_product(&out.x, &m[1], &v->y, k);
-    add_product(&out.y, &m[2], &v->x, k);
-    add_product(&out.y, &m[3], &v->y, k);
+    number_add_product(&out.x, &m[0], &v->x, k);
+    number_add_product(&out.x, &m[1], &v->y, k);
+    number_add_product(&out.y, &m[2], &v->x, k);
+    number_add_product(&out.y, &m[3], &v->y, k);
     return out;
 }
 
@@ -60,8 +48,8 @@ static void turn(void *v, bool behind, const struct block *block)
 static void add_multiple(struct exact_pair *sum, const struct number *weight,
                          const struct exact_pair *v, const struct field *k)
 {
-    add_product(&sum->x, weight, &v->x, k);
-    add_product(&sum->y, weight, &v->y, k);
+    number_add_product(&sum->x, weight, &v->x, k);
+    number_add_product(&sum->y, weight, &v->y, k);
 }
 
 static const struct field *exact_field(const struct block *block)

@@ -196,6 +196,17 @@ struct number number_mul(const struct number *a, const struct number *b, const s
     return out;
 }
 
+void number_add_product(struct number *sum, const struct number *a, const struct number *b,
+                        const struct field *k)
+{
+    struct number product;
+
+    if (number_is_zero(a) || number_is_zero(b))
+        return;
+    product = number_mul(a, b, k);
+    *sum = number_is_zero(sum) ? product : number_add(sum, &product);
+}
+
 struct number number_scale(rational q, const struct number *a, const struct field *k)
 {
     struct number factor = number_from(q);

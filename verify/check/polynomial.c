@@ -21,14 +21,8 @@ static struct number dot(const struct number *a, const struct number *b, int str
     struct mark mark = scratch_mark();
     struct number sum = number_from_whole(0);
 
-    for (int j = 0; j < size; j++) {
-        struct number product;
-
-        if (number_is_zero(&a[j]) || number_is_zero(&b[j * stride]))
-            continue;
-        product = number_mul(&a[j], &b[j * stride], k);
-        sum = number_add(&sum, &product);
-    }
+    for (int j = 0; j < size; j++)
+        number_add_product(&sum, &a[j], &b[j * stride], k);
     number_keep(mark, &sum, 1);
     return sum;
 }
