@@ -2,7 +2,6 @@
 
 #include "characteristic.h"
 
-#include "answer.h"
 #include "scheme.h"
 
 #include <string.h>

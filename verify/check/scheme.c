@@ -4,7 +4,6 @@
 
 #include "answer.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { MAX_NAME = 64, MASK_RADIUS = 8, MASK_SIDE = 2 * MASK_RADIUS + 1,

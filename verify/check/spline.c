@@ -2,8 +2,6 @@
 
 #include "spline.h"
 
-#include "answer.h"
-
 enum { MAX_QUAD = 16, MAX_TRIANGLE = 17 };
 
 static const struct label direction[3] = { { 1, 0 }, { 0, 1 }, { 1, -1 } };

@@ -13,8 +13,6 @@
 
 #include "grid.h"
 
-#include "answer.h"
-
 enum { FIRST_GUARD_BITS = 32 };
 
 struct estimate {
