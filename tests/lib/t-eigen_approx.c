@@ -30,6 +30,19 @@ static void test_dominant(void)
     test_end();
 }
 
+/* P (1, 0; 0, 1 - e) P^-1, P = (3, 1; 1, 1): powers take 1/e steps. */
+static void test_close(void)
+{
+    test_begin("approx-dominant-close");
+    for (double e = 0.125; e > 1e-11; e /= 16) {
+        double b[4] = {(3 - (1 - e)) / 2, (-3 + 3 * (1 - e)) / 2, e / 2, (3 * (1 - e) - 1) / 2}, x[2], eigenvalue = 0;
+        int pivot = -1;
+        CHECK(eigen_dominant_approx(&eigenvalue, x, &pivot, b, 2) == TRUTH_TRUE && fabs(eigenvalue - 1) < 1e-14, "%g: %.17g", e, eigenvalue);
+        CHECK(pivot == 0 && fabs(x[1] - 1 / 3.) < 1e-15 / e, "%g: component %g", e, x[1]);
+    }
+    test_end();
+}
+
 static void test_radius(void)
 {
     test_begin("approx-spectral-radius");
@@ -85,6 +98,7 @@ static void test_inverse(void)
 int main(void)
 {
     test_dominant();
+    test_close();
     test_radius();
     test_defective();
     test_inverse();

@@ -58,7 +58,7 @@ static const family triangle = {"triangle\ndilation 2\nvertices interior\nmask s
 static const family quad = {"quad\ndilation 2\nvertices interior\nmask symmetric\n(0,0) 9/16\n(1,0) 3/8\n(1,1) 1/4\n(2,0) 3/32\n(2,1) 1/16\n(2,2) 1/64\nend\n" RULE, NEIGHBOURS};
 /* The centre of the nets between the steps grows, too. */
 static const family last = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2 centre ", "\nend\n"};
-static const family first = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2 centre ", "\nsmooth 1/3, 1/3\nend\n"};
+static const family earlier = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nsmooth 1/4, 1/2 centre ", "\nsmooth 1/3, 1/3\nend\n"};
 static const family both = {"quad\ndilation 2\nvertices interior\ncompose\nrefine\nrepeat 2: smooth 1/4, 1/2 centre ", "\nend\n"};
 
 static void make_subject(subject *z, family f, const char *centre)
@@ -198,8 +198,8 @@ static void test_graded(void)
     try_range(quad, "1 - k/8", (valence_range){30, 32}, 1);
     try_range(last, "1 - k/8, 2/k", (valence_range){100, VALENCES_UNBOUNDED}, 1);
     try_range(last, "1 - k/8, k", (valence_range){30, 32}, 1);
-    try_range(first, "1 - k/8, 2/k", (valence_range){10000, VALENCES_UNBOUNDED}, 1);
-    try_range(first, "k^2/30, k/5", (valence_range){50, 51}, 2);
+    try_range(earlier, "1 - k/8, 2/k", (valence_range){10000, VALENCES_UNBOUNDED}, 1);
+    try_range(earlier, "k^2/30, k/5", (valence_range){50, 51}, 2);
     try_range(both, "1 - k/8, 2/k", (valence_range){200, VALENCES_UNBOUNDED}, 2);
     try_range(both, "k^2/10, k", (valence_range){100, VALENCES_UNBOUNDED}, 4);
     test_end();

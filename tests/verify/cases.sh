@@ -108,6 +108,7 @@ not_c1() {
   refuted butterfly-8 'frequency 2 dominates (0.46904152, frequency 1 has 0.46241777)' butterfly --valence 8
   refuted butterfly-9 'frequency 2 dominates (0.49729407, frequency 1 has 0.44442936)' butterfly --valence 9
   refuted butterfly-not 'frequency [0-9]* dominates' butterfly --valence 8..14,20,1000
+  proved close-eigenvalues "$schemes/two-eigenvalues.scheme" --set e=1/10^12 --valence 5
   proved loop-sixteenth "$schemes/loop-sixteenth.scheme" --valence 5..19
   refuted loop-sixteenth-tie 'blocks 0 and 1 share the largest modulus exactly (0.37500000)' "$schemes/loop-sixteenth.scheme" --valence 4
   refuted loop-sixteenth-minus-one 'block 0 has the eigenvalue -1 exactly' "$schemes/loop-sixteenth.scheme" --valence 26
