@@ -149,7 +149,8 @@ static void test_count(void)
 static void test_errors_of_slopes(void)
 {
     struct refinable f = { .stability = 1024 };
-    struct error rho = { integer_from(2), integer_from(3) };
+    struct affine rho = { interval_of(integer_from(-2), integer_from(2)),
+                          interval_of(integer_from(-3), integer_from(3)) };
     struct affine x = widened_parts(affine_from_whole(1, G), rho, &f, false);
 
     begin("errors-of-slopes");
