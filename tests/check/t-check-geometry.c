@@ -279,6 +279,8 @@ static void test_symmetry(void)
         { SPOKE "(1,0) @ 1 cases(2 = 1: 1; else: k)\n(1,0) @ -1 cases(2 > 1: 1; else: k)\nend\n", false },
         { SPOKE "(1,0) @ 1 cases(2 = 1 and 1 = 1: 1; else: k)\n(1,0) @ -1 cases(2 > 1 and 1 = 1: 1; else: k)\nend\n", false },
         { SPOKE "(1,0) @ 1 cases(2 = 1 or 1 = 1: 1; else: k)\n(1,0) @ -1 cases(2 = 1 and 1 = 1: 1; else: k)\nend\n", false },
+        { "rule centre when k = 5\ncentre 1/2\nall (2,1) 1/9\nall (1,0) rest\nend\n", false },
+        { "rule centre when k = 5\ncentre 1/2\nall (2,1) 1/9\nall (1,2) 1/9\nall (1,0) rest\nend\n", true },
         { "rule (2,1) when k > 4\n(1,0) 1/4\n(2,0) rest\nend\nrule (1,2) when k > 4\n(1,0) @ 1 1/4\n(2,0) @ 1 rest\nend\n", true },
         { "rule (2,1) when k > 4\n(1,0) 1/4\n(2,0) rest\nend\nrule (1,2) when k > 5\n(1,0) @ 1 1/4\n(2,0) @ 1 rest\nend\n", false },
         { "rule (2,1) when 2 > 1\n(1,0) 1/4\n(2,0) rest\nend\nrule (1,2) when 1 > 2\n(1,0) @ 1 1/4\n(2,0) @ 1 rest\nend\n", false },

@@ -253,10 +253,8 @@ static bool step_is_mirrored(const struct step *step, const struct language *l)
         const struct rule *rule = &step->rule[i], *other;
         int a = rule->a, b = rule->b, number = 0;
 
-        if (rule->centre)
-            continue;
         for (int n = 0; n < i; n++)
-            if (!step->rule[n].centre && step->rule[n].a == a && step->rule[n].b == b)
+            if (step->rule[n].a == a && step->rule[n].b == b)
                 number++;
         reflect(step->new, &a, &b);
         other = a == rule->a && b == rule->b ? rule : rule_number(step, a, b, number);
