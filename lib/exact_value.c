@@ -26,11 +26,12 @@ static exact_status finish(exact_value *z, bool ok, bool is_angle)
 exact_status exact_binary(exact_value *z, const exact_value *x, char op, const exact_value *y)
 {
     bool xa = x->is_angle, ya = y->is_angle;
+    bool mixed = xa != ya && !rational_is_zero(xa ? &y->q : &x->q); /* 0 is added as an angle, too */
     switch (op) {
     case '+':
-        return xa != ya ? EXACT_NONE : finish(z, rational_add(&z->q, &x->q, &y->q), xa);
+        return mixed ? EXACT_NONE : finish(z, rational_add(&z->q, &x->q, &y->q), xa || ya);
     case '-':
-        return xa != ya ? EXACT_NONE : finish(z, rational_sub(&z->q, &x->q, &y->q), xa);
+        return mixed ? EXACT_NONE : finish(z, rational_sub(&z->q, &x->q, &y->q), xa || ya);
     case '*':
         return xa && ya ? EXACT_NONE : finish(z, rational_mul(&z->q, &x->q, &y->q), xa || ya);
     default:

@@ -141,6 +141,16 @@ static bool divide(laurent_value *z, bool *known, const laurent_value *y)
     return ok;
 }
 
+/* z = 1 / z for a z of one term */
+static bool invert(laurent_value *z, bool *known)
+{
+    laurent_value one;
+    bool ok = laurent_value_make(&one) && laurent_value_set_si(&one, 1) && divide(&one, known, z);
+    swap(z, &one);
+    laurent_value_clear(&one);
+    return ok;
+}
+
 static bool is_short(const laurent_value *x)
 {
     for (int i = 0; i < COUNT; i++)
@@ -172,14 +182,14 @@ static bool negate(laurent_value *z)
     return ok;
 }
 
-/* *n = the exponent, a whole number that does not depend on k. */
+/* *n = the exponent, a whole number that does not depend on k, |n| <= MAX_EXPONENT. */
 static bool get_exponent(long *n, bool *known, const formula *f, valence_range k)
 {
     laurent_value x;
     bool ok = laurent_value_make(&x) && formula_laurent_value(&x, known, f, k);
     if (ok && *known) {
         const rational *c = laurent_value_at(&x, 0);
-        *known = f->depends == 0 && laurent_value_high(&x) == 0 && laurent_value_low(&x) == 0 && rational_is_integer(c) && rational_sign(c) >= 0 && rational_cmp_si(c, MAX_EXPONENT, 1) <= 0;
+        *known = f->depends == 0 && laurent_value_high(&x) == 0 && laurent_value_low(&x) == 0 && rational_is_integer(c) && rational_cmp_si(c, -MAX_EXPONENT, 1) >= 0 && rational_cmp_si(c, MAX_EXPONENT, 1) <= 0;
         *n = *known ? (long)integer_get_si(&c->numerator) : 0;
     }
     laurent_value_clear(&x);
@@ -193,10 +203,12 @@ static bool power(laurent_value *z, bool *known, const formula *f, valence_range
     bool ok = get_exponent(&n, known, f->child[1], k);
     if (ok && *known)
         ok = laurent_value_make(&x) && formula_laurent_value(&x, known, f->child[0], k) && laurent_value_set_si(z, 1);
-    for (long i = 0; ok && *known && i < n; i++) {
+    for (long i = 0; ok && *known && i < labs(n); i++) {
         ok = multiply(z, known, &x);
         *known = ok && *known && is_short(z);
     }
+    if (ok && *known && n < 0)
+        ok = invert(z, known);
     laurent_value_clear(&x);
     return ok;
 }

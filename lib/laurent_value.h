@@ -26,8 +26,8 @@ BIGFLOAT_MUST_USE bool laurent_value_add(laurent_value *z, const laurent_value *
 BIGFLOAT_MUST_USE bool laurent_value_sub(laurent_value *z, const laurent_value *x); /* z -= x */
 BIGFLOAT_MUST_USE bool laurent_value_stretch(laurent_value *z, long n); /* z(k) becomes z(n k), n > 0 */
 
-/* z = f for all k of the range; or *known is false: f is not made of numbers and k by + - *, minus, powers with whole exponents
-   >= 0, quotients by one term, names, and `cases` that are decided over the range, or goes beyond degrees and lengths.
+/* z = f for all k of the range; or *known is false: f is not made of numbers and k by + - *, minus, powers with whole exponents,
+   quotients by one term, names, and `cases` that are decided over the range, or goes beyond degrees and lengths.
    false: no memory. */
 BIGFLOAT_MUST_USE bool formula_laurent_value(laurent_value *z, bool *known, const formula *f, valence_range k);
 

@@ -10,6 +10,8 @@
 #define FIRST_WIDTH 0.04
 /* After so many single valences in a row, none of which helped to decide more than itself, a range without an end is given up; */
 #define MAX_SINGLES 200
+/* or after the first one if 1 - u is less than this; */
+#define FAR 0x1p-50
 /* and after so many boxes. */
 #define MAX_BOXES 1000
 
@@ -26,6 +28,12 @@ typedef struct {
 static double u_of(long k)
 {
     return k == VALENCES_UNBOUNDED ? 1 : cos(acos(-1) / (double)k);
+}
+
+/* Is u almost 1, so that boxes from k on end nowhere, or at once? */
+static bool is_far(long k)
+{
+    return 1 - u_of(k) < FAR;
 }
 
 /* The last valence of a box from k that is about so wide. */
@@ -47,8 +55,8 @@ static bool decide_box(progress_of_partition *s, decision *d)
         diagnostic unused;
         if (scheme_decided_up_to(&box.last, p->problem->scheme, box, &unused) != STATUS_OK || box.last == s->k)
             return false;
-        if (box.last == tried)
-            return false; /* far out u, or the largest valence, allows no smaller box */
+        if (box.last == tried) /* u, or the largest valence, allows no smaller box */
+            return false;
         tried = box.last;
         width = u_of(box.last) - u_of(s->k);
         decide_range(d, p->problem, box, s->reason, p->limits);
@@ -70,6 +78,8 @@ static void leave_open(const progress_of_partition *s, decision *d)
     findings_begin(&d->findings, "ranges of valences", "exact", 0);
     if (s->k > CHOICES_MAX_VALENCE)
         findings_explain(&d->findings, OUTCOME_FAIL, "no range without an end could be decided, and single valences go up to %d", CHOICES_MAX_VALENCE);
+    else if (is_far(s->k))
+        findings_explain(&d->findings, OUTCOME_FAIL, "no range without an end could be decided, and so far out there are too many others");
     else if (s->boxes >= MAX_BOXES)
         findings_explain(&d->findings, OUTCOME_FAIL, "%ld boxes of valences were decided, and the next ones are not wider, which does not end", s->boxes);
     else
@@ -84,7 +94,7 @@ static void decide_next(progress_of_partition *s, decision *d)
     s->boxes++;
     if (!beyond && decide_box(s, d)) {
         s->singles = 0;
-    } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || s->singles >= MAX_SINGLES)) {
+    } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || is_far(s->k) || s->singles >= MAX_SINGLES)) {
         leave_open(s, d);
     } else {
         decide_valence(d, s->p->problem, s->k, NULL, s->p->limits);

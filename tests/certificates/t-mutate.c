@@ -6,7 +6,8 @@
    with its own claim (its scheme's text, its valence), so that the lie is not in the claim, and the others with that
    of the certificate that they come from.
 
-   SMOOTHCERT_CHECK is the checker, SRCDIR the sources.  The mutant of a failure stays in ./mutant (and ./text). */
+   SMOOTHCERT_CHECK is the checker, SRCDIR the sources.  Arguments are parts of names: of such certificates only.  The
+   mutant of a failure stays in ./mutant (and ./text). */
 #include "tests/certificates/corpus.h"
 #include "tests/verify/common.h"
 #include "lib/stability.h"
@@ -16,6 +17,8 @@
 enum { MUTANTS = 1000, FINER = 64 };
 
 static corpus bases;
+static const base *chosen[MAX_BASES]; /* which mutants are made of; lines are borrowed from any */
+static int chosen_count;
 
 /* What the checker is told, and what it says. */
 typedef struct {
@@ -63,7 +66,7 @@ static void drift(trial *t, lines *z, int first, int claim)
 
 static void make_mutant(trial *t)
 {
-    const base *b = &bases.base[random_below((uint64_t)bases.count)], *other = &bases.base[random_below((uint64_t)bases.count)];
+    const base *b = chosen[random_below((uint64_t)chosen_count)], *other = &bases.base[random_below((uint64_t)bases.count)];
     lines z;
     int claim, edits = 1 + (random_below(3) == 0 ? (int)random_below(4) : 0);
     lines_read(&z, b->whole, (t->sealed = random_below(5) > 0) ? "records " : NULL);
@@ -234,6 +237,27 @@ static void judge_accepted(const trial *t)
 
 /* ---- all of it ---- */
 
+static bool is_wanted(const char *name, const char *const *part)
+{
+    bool any = *part == NULL;
+    for (; *part; part++)
+        any = any || strstr(name, *part);
+    return any;
+}
+
+static void read_bases(const char *const *parts)
+{
+    corpus_read(&bases, "accept", "table", false);
+    corpus_read(&bases, "accept-1", "table", false);
+    corpus_read(&bases, "accept-1", "refuted", true);
+    corpus_read(&bases, "../check/ranges", "table", false);
+    corpus_read(&bases, "../check/ranges", "refuted", true);
+    for (int i = 0; i < bases.count; i++)
+        if (is_wanted(bases.base[i].name, parts))
+            chosen[chosen_count++] = &bases.base[i];
+    CHECK(chosen_count > 0, "no such certificates");
+}
+
 typedef struct {
     long accepted, rejected, cannot, unchanged, drifted;
 } counts;
@@ -258,16 +282,13 @@ static void examine(const trial *t, counts *n)
         judge_accepted(t);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    (void)argc;
     counts n = {0, 0, 0, 0, 0};
     test_begin("mutants");
-    corpus_read(&bases, "accept", "table", false);
-    corpus_read(&bases, "accept-1", "table", false);
-    corpus_read(&bases, "accept-1", "refuted", true);
-    corpus_read(&bases, "../check/ranges", "table", false);
-    corpus_read(&bases, "../check/ranges", "refuted", true);
-    for (test_cases(MUTANTS); bases.count > 0 && test_next();) {
+    read_bases((const char *const *)argv + 1);
+    for (test_cases(MUTANTS); chosen_count > 0 && test_next();) {
         trial t = {.from = NULL};
         buffer_init(&t.certificate);
         make_mutant(&t);

@@ -188,6 +188,8 @@ own() {
 own falling-31-inf 31..inf nothing 1 'not proved to be positive and to rise' ''
 # 1 + 3/k of the centre: block 0 is ahead of block 1 at all valences, and tends to it.
 own centre-rising-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
+# 1 - 1/100/k: as k comes down from infinity block 0 falls, but less than L, and is ahead at 160.
+own centre-slowly-160-inf 160..inf nothing 1 'limit: the eigenvalue is not proved to fall behind L' ''
 mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
 mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
@@ -404,6 +406,11 @@ growth 5..inf frequency-2 1 'form' 's/^frequency 0/frequency 2/'
 growth 5..inf frequency-3 1 'frequency' 's/^frequency 0/frequency 3/'
 growth 5..inf eigenvalue 1 'Krawczyk' 's/^eigenvalue ./eigenvalue /'
 growth 5..inf witness 1 'witness' 's/^witness \([0-9]*\) .*/witness 1000 -/'
+growth 5..inf radius 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+growth 5..inf radius-large 2 'radius: expected a magnitude' 's/^radius .*/radius 1000000000000000000000000000000000/'
+growth 5..inf range 1 'range: it is smaller' 's/^range .*/range 1/'
+growth 5..inf point 1 'radius: the Krawczyk' 's/^eigenvector \(-*\)[0-6]/eigenvector \17/;s/^eigenvector \(-*\)[89a-f]/eigenvector \16/'
+growth 5..inf cut 1 'expected .witness' '/^witness/d'
 growth 5..inf cover 1 'expected .witness' 's/^witness.*/cover 1 inf 800000000000 9\
 &/'
 
@@ -429,6 +436,15 @@ sixteenth sign 1 'Krawczyk' 's/^eigenvalue -/eigenvalue /'
 sixteenth eigenvector 1 'Krawczyk' 's/^eigenvector -6/eigenvector -5/'
 sixteenth witness 1 'witness: it does not' 's/^witness .*/witness 0 -/'
 sixteenth witness-elsewhere 1 'witness: there are' 's/^witness .*/witness 4 001/'
+sixteenth radius 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+sixteenth radius-large 2 'radius: expected a magnitude' 's/^radius .*/radius 1000000000000000000000000000000000/'
+sixteenth range 1 'range: it is smaller' 's/^range .*/range 1/'
+sixteenth cut 1 'expected .witness' '/^witness/d'
+sixteenth order 1 'expected .unit' '/^unit/{
+N
+s/^\(.*\)\n\(.*\)$/\2\
+\1/
+}'
 sixteenth reason 1 'form: .graded. is for' 's/^reason not-c0/reason frequency/'
 told sixteenth-112-inf 19..inf from-19 1 'Krawczyk' 's/^valence 112 inf/valence 19 inf/'
 told sixteenth-112-inf 5..19 proved-to-be-c1 1 'Krawczyk' 's/^valence 112 inf/valence 5 19/'
@@ -471,6 +487,9 @@ turns above-missing 1 'cover: ' '/^cover 3/d'
 turns itself-covered 1 'cover: ' 's/^cover 1 1/cover 1 2/'
 turns not-c0 1 'expected .witness' 's/^reason frequency/reason not-c0/'
 turns boundary 1 'boundary' 's/^boundary 0/boundary /'
+turns point 1 'radius: the Krawczyk' 's/^eigenvector \(-*\)[0-6]/eigenvector \17/;s/^eigenvector \(-*\)[89a-f]/eigenvector \16/'
+turns radius 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+turns eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue ./eigenvalue 5/'
 told two-turns-30-inf 4..inf from-4 1 'frequency: it is beyond' 's/^valence 30/valence 4/'
 told two-turns-30-inf 3..inf from-3 1 'frequency: it is beyond' 's/^valence 30/valence 3/'
 
@@ -487,6 +506,19 @@ folds one-witness 1 'witness' '0,/^witness/{/^witness/d;}'
 folds same-sign 1 'witness' 's/^witness 8 .*/witness 4 0000/'
 folds other-sign 1 'witness' 's/^witness 4 .*/witness 8 3333333/'
 told fold-33-35 37..39 farther 1 'Krawczyk' 's/^valence 33 35/valence 37 39/'
+folds radius 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+folds radius-large 2 'radius: expected a magnitude' 's/^radius .*/radius 1000000000000000000000000000000000/'
+folds range 1 'range: it is smaller' 's/^range .*/range 1/'
+folds point 1 'radius: the Krawczyk' 's/^eigenvector \(-*\)[0-6]/eigenvector \17/;s/^eigenvector \(-*\)[89a-f]/eigenvector \16/'
+folds eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue ./eigenvalue 5/'
+folds frequency 1 'frequency: it is beyond' 's/^frequency 1/frequency 2/'
+folds cover 1 'cover: it ends too early' '/^cover 2 inf 800000000000/d'
+folds not-c0 1 'expected .witness' 's/^reason fold/reason not-c0/'
+folds order 1 'expected .radius' '/^radius/{
+N
+s/^\(.*\)\n\(.*\)$/\2\
+\1/
+}'
 
 # A window of frequencies: Butterfly from 25 on
 
@@ -521,6 +553,10 @@ block 1 1 9/'
 wave boundary-leaf 1 'boundary: a leaf' 's/^boundary .*/boundary 0000/'
 wave boundary-letter 1 'word' 's/^boundary ./boundary 2/'
 wave range 1 'range: it is smaller' 's/^range .*/range 1/'
+wave radius 1 'radius: the Krawczyk' 's/^radius .*/radius 1/'
+wave radius-large 2 'radius: expected a magnitude' 's/^radius .*/radius 1000000000000000000000000000000000/'
+wave point 1 'radius: the Krawczyk' 's/^eigenvector \(-*\)[0-6]/eigenvector \17/;s/^eigenvector \(-*\)[89a-f]/eigenvector \16/'
+wave eigenvalue 1 'radius: the Krawczyk' 's/^eigenvalue ./eigenvalue 5/'
 wave more 1 'expected .records' 's/^cover 1 inf 800000000000 .*/&\
 witness 0 -/'
 

@@ -142,7 +142,7 @@ static void test_arithmetic(void)
         EXPECT(are_equal(&x, &y));
         x = number_from_whole(3);
         x = number_mul(&x, &a, &k);
-        y = number_scale(rational_from(3, 1), &a);
+        y = number_scale(rational_from(3, 1), &a, &k);
         EXPECT(are_equal(&x, &y));
         EXPECT(!number_get_rational(&q, &a) || k.degree == 1);
         scratch_release(mark);

@@ -136,6 +136,27 @@ static void check_refinement(struct pieces *pieces, const int m[3], const struct
     EXPECT(same(sum, value_at(piece_at(pieces, m, t), degree, up)));
 }
 
+/* Up to m1 + m2 + m3 = 17 on triangles, m1, m2 = 16 on quads. */
+static void test_spline_limits(void)
+{
+    static const struct {
+        int m[3];
+        bool triangle, quad;
+    } trial[] = { { { 6, 6, 5 }, true, false }, { { 6, 6, 6 }, false, false }, { { 2, 15, 0 }, true, true }, { { 2, 16, 0 }, false, true },
+                  { { 2, 17, 0 }, false, false }, { { 16, 2, 0 }, false, true }, { { 17, 2, 0 }, false, false } };
+    struct label c = { -2, 1 };
+
+    begin("spline-limits");
+    for (size_t i = 0; i < sizeof trial / sizeof trial[0]; i++) {
+        struct mask mask = box_mask(trial[i].m, c, 0);
+        struct spline s;
+
+        EXPECT(spline_find(&s, &mask, TRIANGLE) == trial[i].triangle);
+        EXPECT(spline_find(&s, &mask, QUAD) == trial[i].quad);
+    }
+    end();
+}
+
 /* The polynomials are those of the function with phi(x) = sum of a(z) phi(2x - z) whose translates sum to 1: there is
  * only one. */
 static void check_box_spline(const int m[3])
@@ -323,6 +344,7 @@ static void test_influence(void)
 int main(void)
 {
     test_spline_find();
+    test_spline_limits();
     test_spline_triangles();
     test_spline_axis();
     test_symmetry();

@@ -30,15 +30,9 @@
 #define at plane_at                                /* mask.c has an at(), too */
 #include "../../verify/check/influence.c"
 #undef at
-#define divide divide_net
 #include "../../verify/check/characteristic.c"
-#undef divide
 #include "../../verify/check/decide.c"
-#define new_value new_graded_value                 /* sector.c has these, too */
-#define apply_step apply_graded_step
 #include "../../verify/check/graded_net.c"
-#undef new_value
-#undef apply_step
 #include "../../verify/check/graded.c"
 
 #include "protocol.h"
@@ -83,12 +77,10 @@ static struct block *block_at(const char *text, int64_t first, int64_t last)
     return out;
 }
 
-static struct grading *grading_at(const struct block *block, int64_t q)
+static struct grading *grading_at(struct block *block, int64_t q, int degree)
 {
-    struct grading *out = allocate(1, sizeof *out);
-
-    EXPECT(grading_prepare(out, block, q));
-    return out;
+    EXPECT(grading_prepare(block, q, degree));
+    return block->own;
 }
 
 /* 2^-n */
@@ -99,12 +91,9 @@ static interval half_to(int n)
 }
 
 /* kappa = 1/2 in place of all that it may be. */
-static struct grading *grading_at_half(const struct block *block, int64_t q)
+static void prepare_at_half(struct block *block, int64_t q, int degree)
 {
-    struct grading *out = grading_at(block, q);
-
-    out->kappa[1] = affine_from(half_to(1));
-    return out;
+    grading_at(block, q, degree)->kappa[1] = affine_from(half_to(1));
 }
 
 static bool are_equal(struct affine x, struct affine y)
@@ -144,13 +133,13 @@ static void test_laurent(void)
 /* q/k from 6/24 to 6/8, and from 0 to 8/8 */
 static void test_kappa(void)
 {
-    const struct affine *kappa = grading_at(block_at(composed, 8, 24), 6)->kappa;
+    const struct affine *kappa = grading_at(block_at(composed, 8, 24), 6, 0)->kappa;
 
     begin("graded-kappa");
     EXPECT(are_equal(affine_from(kappa[1].c), affine_from(half_to(1))));
     EXPECT(are_equal(affine_from(kappa[1].d), affine_from(half_to(2))));
     EXPECT(are_equal(kappa[0], affine_from_whole(1, FINE)));
-    kappa = grading_at(block_at(composed, 8, ENDLESS), 8)->kappa;
+    kappa = grading_at(block_at(composed, 8, ENDLESS), 8, 0)->kappa;
     EXPECT(are_equal(affine_from(kappa[1].c), affine_from(half_to(1))));
     EXPECT(are_equal(affine_from(kappa[1].d), affine_from(half_to(1))));
     end();
@@ -169,7 +158,8 @@ static void test_block(const char *name, const char *text)
     EXPECT(graded->n == plain->n);
     for (int i = 0; i < graded->n; i++)
         grades[i] = (i + 2) * i % 5;
-    m = scaled_matrix(grading_at_half(graded, Q), &c);
+    prepare_at_half(graded, Q, c.degree);
+    m = scaled_matrix(graded, &c);
     for (int i = 0; i < graded->n; i++)
         for (int j = 0; j < graded->n; j++)
             EXPECT(are_equal(affine_scale(half_to(grades[i] - grades[j] - 12), m[i * graded->n + j], FINE),
@@ -185,11 +175,9 @@ static void test_net(const char *name, const char *text)
     size_t n = (size_t)block->n;
     int *grades = allocate(n, sizeof grades[0]);
     struct affine *x = allocate(n, sizeof x[0]), *y = allocate(n, sizeof y[0]), l = affine_from_whole(-3, FINE);
-    struct certificate c = { .file = "certificate", .grid = FINE, .unit = Q, .degree = 2, .grade = grades };
-    struct grading *s = grading_at_half(block, Q);
-    struct eigenpair pair = { .unknowns = y, .real = affine_from_whole(-12, FINE) };
+    struct affine plain_l = affine_from_whole(-12, FINE);
     struct net net = net_make(plain->v->scheme->mesh, plain->rings);
-    struct graded_net graded;
+    struct net graded = begin_net(block);
 
     begin(name);
     for (int i = 0; i < block->n; i++) {
@@ -197,16 +185,18 @@ static void test_net(const char *name, const char *text)
         x[i] = affine_from(grid_from_rational(rational_from(11 * i % 16 - 5, 8), FINE));
         y[i] = affine_scale(half_to(grades[i]), x[i], FINE);
     }
-    graded = begin_net(block, x, &c);
+    prepare_at_half(block, Q, 2);
+    for (int i = 0; i < block->n; i++)
+        set_component(&graded, block, i, grades[i], x[i]);
     net_set_unknowns(&net, plain, y);
     while (graded.rings < RINGS) {
-        graded = extend(&graded, RINGS, l, c.degree, s);
-        net = extend_net(&net, plain, &pair, RINGS);
+        graded = net_extend(&graded, block, (struct pair) { l, l }, RINGS);
+        net = net_extend(&net, plain, (struct pair) { plain_l, plain_l }, RINGS);
     }
     EXPECT(net.rings == RINGS && graded.rings == RINGS);
     for (int a = -4; a <= RINGS; a++)
         for (int b = a < 1 ? 1 - a : 0; label_ring(graded.mesh, a, b) <= RINGS && b <= RINGS; b++)
-            EXPECT(are_equal(at_half(graded_net_at(&graded, a, b)), net_value(&net, plain, a, b).x));
+            EXPECT(are_equal(at_half(net_find(&graded, block, a, b)), net_value(&net, plain, a, b).x));
     end();
 }
 
@@ -325,32 +315,33 @@ static bool encloses(const struct graded_value *x, rational exact, int64_t q, in
 }
 
 /* Column j of the block over 900..inf is the exact one at k. */
-static void compare_column(struct grading *s, int j, bool more, int64_t q, int64_t k)
+static void compare_column(const struct block *block, int j, bool more, int64_t q, int64_t k)
 {
-    const struct block *block = s->block;
-    struct graded_net net = graded_net_make(QUAD, block->rings);
+    struct net net = begin_net(block);
     struct exact_net *exact = allocate(1, sizeof *exact);
 
     for (int i = 0; i < PLANE * PLANE; i++)
         exact->v[i / PLANE][i % PLANE] = rational_from(0, 1);
     exact->v[block->unknown[j].a][block->unknown[j].b] = rational_from(1, 1);
-    *component(&net, block, j) = (struct graded_value) { true, 0, affine_from_whole(1, FINE) };
+    set_component(&net, block, j, 0, affine_from_whole(1, FINE));
     exact = exact_subdivide(exact, block->rings, more, k);
-    net = graded_net_subdivide(s, &net, block->rings);
+    net = net_subdivide(&net, block, block->rings);
     for (int i = 0; i < block->n; i++)
-        EXPECT(encloses(component(&net, block, i), exact_at(exact, block->unknown[i].a, block->unknown[i].b), q, k, s));
+        EXPECT(encloses(net_find(&net, block, block->unknown[i].a, block->unknown[i].b),
+                        exact_at(exact, block->unknown[i].a, block->unknown[i].b), q, k, block->own));
 }
 
 static void test_exact(const char *name, const char *text, bool more)
 {
     static const int64_t k[] = { 900, 901, 1000, 123457, 1000000000 };
     enum { Q = 30 };
-    struct grading *s = grading_at(block_at(text, 900, ENDLESS), Q);
+    struct block *block = block_at(text, 900, ENDLESS);
 
     begin(name);
+    grading_at(block, Q, 0);
     for (size_t i = 0; i < sizeof k / sizeof k[0]; i++)
-        for (int j = 0; j < s->block->n; j++)
-            compare_column(s, j, more, Q, k[i]);
+        for (int j = 0; j < block->n; j++)
+            compare_column(block, j, more, Q, k[i]);
     end();
 }
 

@@ -592,6 +592,17 @@ static void test_trig_exact(void)
     end();
 }
 
+/* 2^64 cos(1065 pi/8663) is 4.4e-8 more than a whole number: the first estimate does not see on which side it is. */
+static void test_trig_close(void)
+{
+    integer expected = from_hex("ed24ab1941068e84");
+    interval x = grid_cos_pi(rational_from(1065, 8663), 64);
+
+    begin("trig-close");
+    EXPECT(equal(x.lo, expected) && is_one_unit_wide(x));
+    end();
+}
+
 /* Least intervals on finer grids lie in those on coarser ones; and
  * cos 2x = 2 cos^2 x - 1, cos^2 x + sin^2 x = 1 are contained. */
 static void test_trig_consistent(void)
@@ -1227,6 +1238,7 @@ int main(void)
     test_trig_pi();
     test_trig_algebraic();
     test_trig_exact();
+    test_trig_close();
     test_trig_consistent();
     test_sha256();
     test_formula_values();

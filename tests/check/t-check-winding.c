@@ -145,9 +145,24 @@ static void test_count(void)
     end();
 }
 
+/* The errors of slopes count where the slopes themselves are 0 on a window. */
+static void test_errors_of_slopes(void)
+{
+    struct refinable f = { .stability = 1024 };
+    struct affine rho = { interval_of(integer_from(-2), integer_from(2)),
+                          interval_of(integer_from(-3), integer_from(3)) };
+    struct affine x = widened_parts(affine_from_whole(1, G), rho, &f, false);
+
+    begin("errors-of-slopes");
+    EXPECT(integer_compare(x.d.lo, integer_from(-3)) == 0 && integer_compare(x.d.hi, integer_from(3)) == 0);
+    EXPECT(integer_compare(integer_sub(x.c.hi, x.c.lo), integer_from(4)) == 0);
+    end();
+}
+
 int main(void)
 {
     test_follow();
+    test_errors_of_slopes();
     test_reversed_pieces();
     test_jump();
     test_count();

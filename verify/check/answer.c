@@ -6,8 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-noreturn void answer(int status, const char *file, int line, int column,
-                     const char *format, ...)
+noreturn void answer(int status, const char *file, int line, int column, const char *format, ...)
 {
     va_list arguments;
 

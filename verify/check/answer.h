@@ -4,11 +4,10 @@
 /* Answers
  * =======
  *
- * Section 10 of certificate.md.  There are three: verified, rejected, cannot
- * check.  Only main() gives the first, after everything else has returned.
- * The two others may be given anywhere; they end the program at once, so no
- * caller can forget to look at a result.  stdout has a line for each certificate that
- * is verified; the other answers go to stderr.
+ * Section 10 of certificate.md.  There are three: verified, rejected, cannot check.  Only main()
+ * gives the first, after everything else has returned.  The two others may be given anywhere; they
+ * end the program at once, so no caller can forget to look at a result.  stdout has a line for each
+ * certificate that is verified; the other answers go to stderr.
  */
 
 #include <stddef.h>
@@ -25,7 +24,6 @@ enum { ANSWER_VERIFIED = 0, ANSWER_REJECTED = 1, ANSWER_CANNOT_CHECK = 2 };
 #define cannot_check_at(file, line, column, ...) \
     answer(ANSWER_CANNOT_CHECK, file, line, column, __VA_ARGS__)
 
-noreturn void answer(int status, const char *file, int line, int column,
-                     const char *format, ...);
+noreturn void answer(int status, const char *file, int line, int column, const char *format, ...);
 
 #endif

@@ -27,7 +27,7 @@ static const int64_t MAX_STABILITY = INT64_C(1) << 40;
 
 /* A record: one line, whose tokens are taken from the left. */
 struct record {
-    const struct certificate *c;
+    struct certificate *c;
     const char *name;
     int line;
     const char *at, *end;
@@ -143,14 +143,16 @@ static int64_t read_q(struct record *r)
     return out;
 }
 
-/* `1` or `-1` */
-static int read_sign(struct record *r)
+/* A power; of all powers there are limits together. */
+static int read_power(struct record *r)
 {
-    bool positive = accept_word(r, "1");
+    int out = (int)read_decimal(r, 0, MAX_POWER);
 
-    if (!positive && !accept_word(r, "-1"))
-        rejected(r->c->file, r->line, "%s: expected 1 or -1 for s", r->name);
-    return positive ? 1 : -1;
+    r->c->powers += out;
+    if (r->c->powers > MAX_TOTAL_POWER)
+        cannot_check_at(r->c->file, r->line, 0, "expected powers whose sum is at most %d",
+                        MAX_TOTAL_POWER);
+    return out;
 }
 
 /* The number of the next token among `count` words, or their count. */
@@ -198,10 +200,12 @@ static int end_record(const struct record *r)
 
 /* Reads a whole line, and returns its number.  What follows the name, by the letters of the format:
  *     m i   int64_t *: a valence or frequency, 0..10^9; or `inf`
- *     n     int *, least and greatest value: a number
+ *     n     int *, how many, least and greatest value: numbers
+ *     l     int64_t *, greatest value: a number
  *     p     int *: a power
  *     q     int64_t *: Q
  *     h     integer *, how many, bits: in hexadecimal
+ *     t     const char **, size_t *: a token
  *     w     int *, words, how many: the number of one of them, or how many */
 static int read_record(struct certificate *c, const char *name, const char *format, ...)
 {
@@ -210,7 +214,7 @@ static int read_record(struct certificate *c, const char *name, const char *form
 
     va_start(to, format);
     for (; *format != '\0'; format++) {
-        int64_t *m = strchr("miq", *format) != NULL ? va_arg(to, int64_t *) : NULL;
+        int64_t *m = strchr("milq", *format) != NULL ? va_arg(to, int64_t *) : NULL;
         int *n = strchr("npw", *format) != NULL ? va_arg(to, int *) : NULL;
 
         if (*format == 'q') {
@@ -218,17 +222,22 @@ static int read_record(struct certificate *c, const char *name, const char *form
         } else if (*format == 'i' && accept_word(&r, "inf")) {
             *m = ENDLESS;
         } else if (m != NULL) {
-            *m = read_decimal(&r, 0, MAX_VALENCE_1);
+            *m = read_decimal(&r, 0, *format == 'l' ? va_arg(to, int64_t) : MAX_VALENCE_1);
         } else if (*format == 'p') {
-            *n = (int)read_decimal(&r, 0, MAX_POWER);
+            *n = read_power(&r);
         } else if (*format == 'n') {
-            int low = va_arg(to, int);
+            int count = va_arg(to, int), low = va_arg(to, int), high = va_arg(to, int);
 
-            *n = (int)read_decimal(&r, low, va_arg(to, int));
+            for (int i = 0; i < count; i++)
+                n[i] = (int)read_decimal(&r, low, high);
         } else if (*format == 'w') {
             const char *const *words = va_arg(to, const char *const *);
 
             *n = read_word(&r, words, va_arg(to, int));
+        } else if (*format == 't') {
+            const char **token = va_arg(to, const char **);
+
+            *token = next_token(va_arg(to, size_t *), &r);
         } else {
             integer *h = va_arg(to, integer *);
             int count = va_arg(to, int), bits = va_arg(to, int);
@@ -266,7 +275,7 @@ static void read_scheme_text(struct certificate *c)
     struct record r;
     int lines;
 
-    c->line_of.scheme = read_record(c, "scheme", "n", &lines, 0, 65536);
+    c->line_of.scheme = read_record(c, "scheme", "n", &lines, 1, 0, 65536);
     c->scheme_text = c->next;
     for (int i = 0; i < lines; i++)
         next_line(&r, c);
@@ -298,7 +307,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
         .file = file, .text = text, .next = text, .end = text + size, .line = 1,
         .regularity.word = "", .boundary.word = ""  /* refutations may have none */
     };
-    line = read_record(out, "smoothcert-certificate", "n", &out->version, 0, MAX_NUMBER);
+    line = read_record(out, "smoothcert-certificate", "n", &out->version, 1, 0, MAX_NUMBER);
     if (out->version > 1)
         cannot_check_at(file, line, 0, "certificates of version %d; this checker knows "
                         "versions 0 and 1", out->version);
@@ -306,7 +315,7 @@ void certificate_read_subject(struct certificate *out, const char *file,
     out->line_of.claim = read_record(out, "claim", "w", &choice, claim, 2);
     out->claim = (enum claim)choice;
     read_valence(out);
-    read_record(out, "grid", "n", &out->grid, MIN_GRID, MAX_GRID);
+    read_record(out, "grid", "n", &out->grid, 1, MIN_GRID, MAX_GRID);
 }
 
 /* Reasons
@@ -403,7 +412,7 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
     int bits = c->grid + BITS_ABOVE_GRID, parts = c->real ? 1 : 2, size = c->size;
 
     /* Beyond n: rejected where it is used, not a limit of the format. */
-    out->line_of.pivot = read_record(c, "pivot", "n", &out->pivot, 0, MAX_NUMBER);
+    out->line_of.pivot = read_record(c, "pivot", "n", &out->pivot, 1, 0, MAX_NUMBER);
     out->line_of.eigenvalue = read_record(c, "eigenvalue", "h", out->eigenvalue, parts, bits);
     out->eigenvector = allocate((size_t)size, sizeof out->eigenvector[0]);
     read_record(c, "eigenvector", "h", out->eigenvector, parts * (c->n - 1), bits);
@@ -421,16 +430,12 @@ static void read_eigenpair(struct choices *out, struct certificate *c)
 static void read_grades(struct certificate *c)
 {
     int line = read_record(c, "unit", "m", &c->unit);
-    struct record r;
 
     if (c->unit == 0)
         rejected(c->file, line, "unit: it is not positive");
-    read_record(c, "degree", "n", &c->degree, 0, MAX_GRADE);
-    r = begin_record(c, "grades");
+    read_record(c, "degree", "n", &c->degree, 1, 0, MAX_GRADE);
     c->grade = allocate((size_t)c->n, sizeof c->grade[0]);
-    for (int i = 0; i < c->n; i++)
-        c->grade[i] = (int)read_decimal(&r, 0, MAX_GRADE);
-    end_record(&r);
+    read_record(c, "grades", "n", c->grade, c->n, 0, MAX_GRADE);
 }
 
 /* `second m'` and its eigenpair: its form is plain for 0, which is for k/2 only, else real. */
@@ -457,13 +462,10 @@ static void read_second(struct certificate *c, const int n[2])
 
 static void read_trees(struct trees *out, struct certificate *c, const char *name)
 {
-    struct record r = begin_record(c, name);
-
-    out->word = next_token(&out->size, &r);
+    out->line = read_record(c, name, "t", &out->word, &out->size);
     for (size_t i = 0; i < out->size; i++)
         if (memchr("012", out->word[i], c->has_splines ? 3 : 2) == NULL)
-            rejected(c->file, r.line, "%s: expected a word over {0,1}", name);
-    out->line = end_record(&r);
+            rejected(c->file, out->line, "%s: expected a word over {0,1}", name);
     c->letters += out->size;
     if (c->letters > MAX_ELEMENTS)
         cannot_check_at(c->file, out->line, 0, "expected at most %d elements", MAX_ELEMENTS);
@@ -484,11 +486,8 @@ static void read_decisions(struct certificate *c)
 /* `witness D P`: P digits from 0 to 3, or `-` */
 static void read_witness(struct witness *w, struct certificate *c)
 {
-    struct record r = begin_record(c, "witness");
-
-    w->element = read_decimal(&r, 0, MAX_ELEMENTS);
-    w->path = next_token(&w->path_size, &r);
-    w->line = end_record(&r);
+    w->line = read_record(c, "witness", "lt", &w->element, (int64_t)MAX_ELEMENTS, &w->path,
+                          &w->path_size);
     if (token_is(w->path, w->path_size, "-"))
         w->path_size = 0;
     for (size_t i = 0; i < w->path_size; i++)
@@ -511,7 +510,7 @@ static void read_refutation(struct certificate *c)
 static void read_factor(struct certificate *c, int d)
 {
     struct exact_choices *e = &c->exact;
-    int line = read_record(c, "factor", "n", &e->degree, 0, MAX_FACTOR);
+    int line = read_record(c, "factor", "n", &e->degree, 1, 0, MAX_FACTOR);
 
     if (e->degree < 1)
         rejected(c->file, line, "factor: its degree is not positive");
@@ -531,20 +530,22 @@ static void read_factor(struct certificate *c, int d)
 
 static void read_exact_record(struct exact_record *out, struct certificate *c)
 {
-    struct record r = begin_record(c, "exact");
+    static const char *const signs[] = { "1", "-1" };
+    int sign, order[2], line;
 
-    out->m = read_decimal(&r, 0, MAX_VALENCE_1);
-    out->sign = read_sign(&r);
-    out->a = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
-    out->q = (int)read_decimal(&r, 0, MAX_EXACT_ORDER);
-    out->j = (int)read_decimal(&r, 0, MAX_NUMBER);
-    out->record.power = (int)read_decimal(&r, 0, MAX_POWER);
+    line = read_record(c, "exact", "mwnnp", &out->m, &sign, signs, 2, order, 2, 0,
+                       MAX_EXACT_ORDER, &out->j, 1, 0, MAX_NUMBER, &out->record.power);
+    out->sign = sign == 0 ? 1 : -1;
+    out->a = order[0];
+    out->q = order[1];
     out->record.m = span_of(out->m);
-    out->record.line = end_record(&r);
+    out->record.line = line;
+    if (sign == 2)
+        rejected(c->file, line, "exact: expected 1 or -1 for s");
     if (2 * out->m > c->valence.first || (out != c->exact.line && out->m <= out[-1].m))
-        rejected(c->file, r.line, "exact: frequencies have to rise, up to k/2");
+        rejected(c->file, line, "exact: frequencies have to rise, up to k/2");
     if (out->q < 1 || out->q > out->a)
-        rejected(c->file, r.line, "exact: it must be 1 <= q <= a");
+        rejected(c->file, line, "exact: it must be 1 <= q <= a");
 }
 
 static bool is_exact_frequency(const struct certificate *c, struct span m)
@@ -614,7 +615,7 @@ static void read_powers_0(struct certificate *c)
     c->block = allocate((size_t)c->blocks, sizeof c->block[0]);
     for (int m = 0; m < c->blocks; m++)
         c->block[m] = (struct block_record) {
-            span_of(m), (int)read_decimal(&r, 0, MAX_POWER), r.line
+            span_of(m), read_power(&r), r.line
         };
     end_record(&r);
 }
@@ -694,24 +695,6 @@ static void read_window(struct certificate *c)
 /* All of it
  * --------- */
 
-static void check_total_power(const struct certificate *c)
-{
-    int total = c->limit.record.power;             /* at most 21066 * MAX_POWER */
-
-    total += c->exact.others.power;
-    for (int i = 0; i < c->exact.count; i++)
-        total += c->exact.line[i].record.power;
-    for (int i = 0; i < c->blocks; i++)
-        total += c->block[i].power;
-    for (int i = 0; i < c->rises; i++)
-        total += c->rise[i].record.power;
-    for (int i = 0; i < c->covers; i++)
-        total += c->cover[i].record.power;
-    if (total > MAX_TOTAL_POWER)
-        cannot_check_at(c->file, c->blocks > 0 ? c->block[0].line : c->line, 0,
-                        "expected powers whose sum is at most %d", MAX_TOTAL_POWER);
-}
-
 /* What proves the eigenvalue and bounds the rest. */
 static void read_root(struct certificate *c, int d)
 {
@@ -728,7 +711,7 @@ static void read_root(struct certificate *c, int d)
 static void read_exact(struct certificate *c)
 {
     struct exact_choices *e = &c->exact;
-    int line = read_record(c, "field", "n", &e->field, MIN_FIELD, MAX_FIELD);
+    int line = read_record(c, "field", "n", &e->field, 1, MIN_FIELD, MAX_FIELD);
     int d = field_degree(e->field);
     bool has_root = c->reason != REASON_MODULUS_ONE;
 
@@ -739,35 +722,30 @@ static void read_exact(struct certificate *c)
         read_root(c, d);
     e->line = allocate(MAX_EXACT, sizeof e->line[0]);
     do {
-        if (e->count == MAX_EXACT)
-            cannot_check_at(c->file, c->line, 0, "expected at most %d exact blocks", MAX_EXACT);
+        check_count(c, e->count, MAX_EXACT, "exact");
         read_exact_record(&e->line[e->count++], c);
     } while (next_is(c, "exact"));
     if (!has_root && e->count > 1)
         rejected(c->file, e->line[1].record.line, "exact: expected one only");
     if (has_root)
         read_blocks(c);
-    check_total_power(c);
     read_refutation(c);
 }
 
 static void read_stability(struct certificate *c)
 {
-    struct record r = begin_record(c, "stability");
+    int *n = c->stability_power, most = MAX_STABILITY_POWER;
+    int64_t *t = c->stability;
 
-    for (int i = 0; i < 3; i++) {
-        c->stability_power[i] = (int)read_decimal(&r, 0, MAX_STABILITY_POWER);
-        c->stability[i] = read_decimal(&r, 0, MAX_STABILITY);
-    }
-    c->line_of.stability = end_record(&r);
+    c->line_of.stability = read_record(c, "stability", "nlnlnl", &n[0], 1, 0, most, &t[0],
+                                       MAX_STABILITY, &n[1], 1, 0, most, &t[1], MAX_STABILITY,
+                                       &n[2], 1, 0, most, &t[2], MAX_STABILITY);
 }
 
 void certificate_read_form(struct certificate *out, bool plainly_regular)
 {
-    int *n = out->contraction, most = MAX_CONTRACTION;
-
-    out->line_of.contraction = read_record(out, "contraction", "nnn", &n[0], 1, most,
-                                           &n[1], 1, most, &n[2], 1, most);
+    out->line_of.contraction = read_record(out, "contraction", "n", out->contraction, 3, 1,
+                                           MAX_CONTRACTION);
     out->real = true;
     out->frequency = 1;
     for (int i = 0; i < 3; i++)
@@ -807,7 +785,6 @@ void certificate_read_choices(struct certificate *out, int n, const int n_second
         read_ranges(out);
     else if (out->reason != REASON_NOT_C0)
         read_blocks(out);
-    check_total_power(out);
     if (out->claim == CLAIM_C1)
         read_decisions(out);
     else if (out->frequency >= 0)
@@ -822,7 +799,7 @@ void certificate_read_end(struct certificate *c)
     const char *const words[] = { hash };
     int line, count, choice, above = c->line - 1;
 
-    line = read_record(c, "records", "n", &count, 0, MAX_NUMBER);
+    line = read_record(c, "records", "n", &count, 1, 0, MAX_NUMBER);
     if (count != above)
         rejected(c->file, line, "records: there are %d lines above", above);
     sha256_hex(hash, (const unsigned char *)c->text, (size_t)(c->next - c->text));

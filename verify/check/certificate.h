@@ -123,6 +123,7 @@ struct certificate {
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */
     size_t letters;                                /* of all words of trees */
+    int powers;                                    /* the sum of all */
     struct witness witness[2];
 
     struct {                                       /* for messages */
@@ -144,9 +145,8 @@ void certificate_read_form(struct certificate *out, bool plainly_regular);
 /* Is the reason one of exact.md? */
 bool certificate_is_exact(const struct certificate *c);
 
-/* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one
- * less than block 0 has); reason real: the second one has n_second[0] for m' = 0, else
- * n_second[1]. */
+/* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one less than
+ * block 0 has); reason real: the second one has n_second[0] for m' = 0, else n_second[1]. */
 void certificate_read_choices(struct certificate *out, int n, const int n_second[2]);
 
 void certificate_read_end(struct certificate *out);

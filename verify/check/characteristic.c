@@ -2,7 +2,6 @@
 
 #include "characteristic.h"
 
-#include "answer.h"
 #include "scheme.h"
 
 #include <string.h>
@@ -47,41 +46,6 @@ static int ring_radius(enum mesh mesh, int omega, int h, int influence)
 /* The net
  * ------- */
 
-static struct pair divide(struct pair v, const struct eigenpair *pair, bool real, int g)
-{
-    struct pair l = { pair->real, pair->imaginary };
-
-    if (!real)
-        return pair_divide(v, l, g);
-    v.x = affine_div(v.x, l.x, g);
-    v.y = affine_div(v.y, l.x, g);
-    return v;
-}
-
-/* The net with more rings: V is an eigenvector of the scheme on the whole complex, so
- * V = (new value)/L wherever new values use known ones only. */
-static struct net extend_net(const struct net *old, const struct block *block,
-                             const struct eigenpair *pair, int rings)
-{
-    enum mesh mesh = old->mesh;
-    struct net out, new;
-
-    while (scheme_needs(block->v->scheme, rings) > old->rings)
-        rings--;
-    if (rings <= old->rings)
-        cannot_check("the checker cannot extend the characteristic net");
-    out = net_make(mesh, rings);
-    out.centre = old->centre;                      /* for m = 0, which keeps it */
-    new = net_subdivide(old, block, rings);
-    for (int a = 1; a <= rings; a++)
-        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
-            net_set(&out, a, b, label_ring(mesh, a, b) <= old->rings
-                ? net_value(old, block, a, b)
-                : divide(net_value(&new, block, a, b), pair, block->real || !block->has_y,
-                         block->v->g));
-    return out;
-}
-
 struct pair characteristic_at(const struct characteristic *c, const struct refinable *f,
                               int a, int b)
 {
@@ -98,13 +62,14 @@ struct pair characteristic_at(const struct characteristic *c, const struct refin
 /* Thin nets
  * --------- */
 
-static void add_error(struct error *rho, struct affine x)
+static void add_error(interval *rho, interval x)
 {
-    rho->c = integer_max(rho->c, interval_rad(x.c));
-    rho->d = integer_max(rho->d, interval_rad(x.d));
+    integer most = integer_max(rho->hi, interval_rad(x));
+
+    *rho = (interval) { integer_negate(most), most };
 }
 
-/* rho_x, rho_y of f: the largest rad at the labels of the windows of the elements. */
+/* rho of f: the largest rad at the labels of the windows of the elements. */
 static void collect_rho(struct refinable *f, const struct characteristic *c,
                         const struct element *element, int elements)
 {
@@ -112,12 +77,13 @@ static void collect_rho(struct refinable *f, const struct characteristic *c,
         const struct window *window = &f->window[element[i].kind];
 
         for (int n = 0; n < window->count; n++) {
-            struct pair value = characteristic_at(c, f,
-                                                  element[i].a + window->label[n].a,
+            struct pair value = characteristic_at(c, f, element[i].a + window->label[n].a,
                                                   element[i].b + window->label[n].b);
 
-            add_error(&f->rho_x, value.x);
-            add_error(&f->rho_y, value.y);
+            add_error(&f->rho.x.c, value.x.c);
+            add_error(&f->rho.x.d, value.x.d);
+            add_error(&f->rho.y.c, value.y.c);
+            add_error(&f->rho.y.d, value.y.d);
         }
     }
 }
@@ -145,25 +111,19 @@ static void prepare_basis(struct refinable *f, const struct spline *s,
                                       &f->window[kind], g);
 }
 
-static bool has_letter(const struct trees *t, char letter)
-{
-    return t->size > 0 && memchr(t->word, letter, t->size) != NULL;
-}
-
 static void prepare_bases(struct characteristic *out, const struct mask *mask, int g,
                           const struct certificate *c)
 {
-    struct spline s, s1, s2;
+    struct spline s, derivative;
 
     if (!spline_find(&s, mask, out->mesh))
         return;
-    s1 = spline_derivative(&s, 0);
-    s2 = spline_derivative(&s, 1);
-    if (has_letter(&c->boundary, '2'))
-        prepare_basis(&out->value, &s, out, true, g);
-    if (has_letter(&c->regularity, '2')) {
-        prepare_basis(&out->first, &s1, out, false, g);
-        prepare_basis(&out->second, &s2, out, false, g);
+    for (int i = 0; i < 3; i++) {
+        const struct trees *t = i == 0 ? &c->boundary : &c->regularity;
+
+        derivative = i == 0 ? s : spline_derivative(&s, i - 1);
+        if (t->size > 0 && memchr(t->word, '2', t->size) != NULL)
+            prepare_basis(&out->f[i], &derivative, out, i == 0, g);
     }
 }
 
@@ -178,13 +138,11 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
     out->block = block;
     out->mesh = mesh;
     out->version_0 = c->version == 0;
-    prepare_refinable(&out->value, &q[0], c->stability[0], 0, 0, mesh, g);
-    prepare_refinable(&out->first, &q[1], c->stability[1], 1, 0, mesh, g);
-    prepare_refinable(&out->second, &q[2], c->stability[2], 0, 1, mesh, g);
     for (int i = 0; i < 3; i++) {
-        const struct refinable *f[3] = { &out->value, &out->first, &out->second };
-        int reach = used_reach(f[i], mesh);
+        int reach;
 
+        prepare_refinable(&out->f[i], &q[i], c->stability[i], i == 1, i == 2, mesh, g);
+        reach = used_reach(&out->f[i], mesh);
         omega = reach > omega ? reach : omega;
     }
     out->radius = ring_radius(mesh, omega, h, scheme_influence(scheme));
@@ -197,9 +155,9 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
 void characteristic_use(struct characteristic *c, const struct net *net)
 {
     c->net = *net;
-    collect_rho(&c->value, c, c->segment, c->segments);
-    collect_rho(&c->first, c, c->element, c->elements);
-    collect_rho(&c->second, c, c->element, c->elements);
+    collect_rho(&c->f[0], c, c->segment, c->segments);
+    collect_rho(&c->f[1], c, c->element, c->elements);
+    collect_rho(&c->f[2], c, c->element, c->elements);
 }
 
 void characteristic_prepare(struct characteristic *out, const struct block *block,
@@ -211,6 +169,6 @@ void characteristic_prepare(struct characteristic *out, const struct block *bloc
     characteristic_begin(out, block, q, certificate);
     net_set_unknowns(&net, block, pair->unknowns);
     while (net.rings < out->rings)
-        net = extend_net(&net, block, pair, out->rings);
+        net = net_extend(&net, block, (struct pair) { pair->real, pair->imaginary }, out->rings);
     characteristic_use(out, &net);
 }

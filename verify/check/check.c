@@ -5,20 +5,17 @@
 #include "answer.h"
 #include "certificate.h"
 #include "characteristic.h"
-#include "decide.h"
-#include "graded.h"
 #include "regular.h"
 #include "spectrum.h"
 #include "text.h"
 #include "ties.h"
-#include "window.h"
+#include "valences.h"
 
 #include <string.h>
 
 enum { MAX_SCHEME_BYTES = 65536, MAX_CERTIFICATE_BYTES = 1 << 26 };
 
-/* What has been proved of q_i, or of the pair (d,d') number i: the last choices that
- * did. */
+/* What has been proved of q_i, or of the pair (d,d') number i: the last choices that did. */
 struct proved {
     int contraction[3];
     int stability_power[3];
@@ -85,8 +82,7 @@ const char *statement_scheme_name(const struct statement *s)
     return s->scheme.name;
 }
 
-static void compare_subject(const struct certificate *c, const struct statement *s,
-                            struct span k)
+static void compare_subject(const struct certificate *c, const struct statement *s, struct span k)
 {
     size_t same = 0;
     int line = c->line_of.scheme + 1;
@@ -100,8 +96,7 @@ static void compare_subject(const struct certificate *c, const struct statement 
     if (same < s->canonical_size || same < c->scheme_size)
         rejected(c->file, line, "scheme: expected the text of the given scheme");
     if (c->claim != (s->not_c1 ? CLAIM_NOT_C1 : CLAIM_C1))
-        rejected(c->file, c->line_of.claim, "claim: expected %s",
-                 s->not_c1 ? "not-c1" : "c1");
+        rejected(c->file, c->line_of.claim, "claim: expected %s", s->not_c1 ? "not-c1" : "c1");
     if (c->valence.first != k.first || c->valence.last != k.last)
         rejected(c->file, c->line_of.valence, "valence: expected %s", span_text(k));
 }
@@ -169,8 +164,7 @@ static void check_stability(struct statement *s, const struct certificate *c)
         if (s->proved.stability_power[i] == n && s->proved.stability[i] == t)
             continue;
         if (n < 1 || t <= 1024 || !stability_holds(&s->q[i], n, t))
-            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d",
-                     (long long)t, i);
+            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d", (long long)t, i);
         s->proved.stability_power[i] = n;
         s->proved.stability[i] = t;
     }
@@ -202,29 +196,27 @@ static void check_rest(const struct proved_pair *proved, int count, const struct
                        bool real, interval s, const struct certificate *c)
 {
     const char *name = c->version == 0 ? "power" : "block";
-    bool *done = allocate((size_t)c->blocks, sizeof done[0]);
 
-    for (int n = 0; n < count; n++) {
-        for (int i = 0; i < c->blocks; i++) {
-            if (c->block[i].m.first == proved[n].choices->frequency) {
-                spectrum_prove_rest(&proved[n].pair, &c->block[i], name, proved[n].choices);
-                done[i] = true;
-            }
-        }
-    }
-    for (int i = 0; i < c->blocks; i++) {
+    for (int i = 0; i < 2 * c->blocks; i++) {
+        const struct block_record *record = &c->block[i % c->blocks];
         struct mark mark = scratch_mark();
         struct valence v = *valence;
-        struct span m = c->block[i].m;
+        struct span m = record->m;
+        const struct proved_pair *own = NULL;
         struct block other;
 
-        if (done[i])
+        for (int n = 0; n < count; n++)
+            if (m.first == proved[n].choices->frequency)
+                own = &proved[n];
+        if (i < c->blocks && own != NULL)
+            spectrum_prove_rest(&own->pair, record, name, own->choices);
+        if (i < c->blocks || own != NULL)
             continue;
-        v.reference.line = c->block[i].line;
+        v.reference.line = record->line;
         if (m.first > 1 && m.first == m.last && !valence_has_values(&v, m.first))
             m.first--;                             /* a box of its own is too long */
         block_prepare(&other, &v, real, m);
-        spectrum_prove_block(&other, s, &c->block[i], name, c);
+        spectrum_prove_block(&other, s, record, name, c);
         scratch_release(mark);
     }
 }
@@ -306,22 +298,6 @@ static struct verified check_ties(const struct statement *s, const struct valenc
                                .g = c->grid };
 }
 
-static struct verified check_window(const struct statement *s, const struct valence *v,
-                                    const struct certificate *c)
-{
-    struct verified out = { .frequency = -1, .g = c->grid };
-
-    out.eigenvalue = window_prove(v, s->q, c);
-    return out;
-}
-
-static struct verified check_graded(const struct statement *s, const struct block *block,
-                                    const struct certificate *c)
-{
-    return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
-                               .eigenvalue = graded_prove(block, s->q, c) };
-}
-
 /* One eigenpair, and what its function decides.  The plain form says nothing about the form of
  * the other blocks. */
 static struct verified check_eigenpair(const struct statement *s, const struct block *block,
@@ -347,8 +323,7 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
 }
 
 /* The block that the certificate's choices are about. */
-static void prepare_block(struct block *out, const struct valence *v,
-                          const struct certificate *c)
+static void prepare_block(struct block *out, const struct valence *v, const struct certificate *c)
 {
     if (c->graded)
         graded_prepare_block(out, v);
@@ -402,17 +377,18 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     prepare_block(&block, v, c);
     for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
         n_second[m] = unknowns(v, m);
-    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n,
-                             n_second);
+    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n, n_second);
     certificate_read_end(c);
 
     check_contraction(s, c);
     if (c->version > 0)
         check_stability(s, c);
     if (c->frequency < 0)
-        return check_window(s, v, c);
+        return (struct verified) { .frequency = -1, .g = c->grid,
+                                   .eigenvalue = window_prove(v, s->q, c) };
     if (c->graded)
-        return check_graded(s, &block, c);
+        return (struct verified) { .g = c->grid, .unit = c->unit, .degree = c->degree,
+                                   .eigenvalue = graded_prove(&block, s->q, c) };
     if (c->reason == REASON_REAL)
         return check_real(s, &block, c);
     return check_eigenpair(s, &block, c);

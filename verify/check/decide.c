@@ -1,15 +1,14 @@
 /* The decisions: section 8 of certificate.md.
  *
- * An element is decided with a function (boundary: the values) or two
- * (regularity: d1 and d2).  A patch holds, for an element, the intervals of one
- * function on the element's window.  The patch of a child comes from that of its
- * parent by the refinement rule: with the anchor of the child at twice the anchor
- * of the parent plus (a,b), relative labels are related by
+ * An element is decided with a function (boundary: the values) or two (regularity: d1 and d2).  A
+ * patch holds, for an element, the intervals of one function on the element's window.  The patch of
+ * a child comes from that of its parent by the refinement rule: with the anchor of the child at
+ * twice the anchor of the parent plus (a,b), relative labels are related by
  *
  *     new(x) = sum over y of q(x + (a,b) - 2y) old(y).
  */
 
-#include "decide.h"
+#include "characteristic.h"
 
 #include "answer.h"
 
@@ -22,13 +21,14 @@ struct path {
     int first, last, turns;
 };
 
-/* What the functions are on an element: boxes, or all coefficients.  A box is like the
- * coefficient of a constant. */
+/* What the functions are on an element: all coefficients.  A box is that of a constant. */
 struct leaf {
     enum element_kind kind;
-    const struct basis *basis[MAX_FUNCTIONS];      /* or NULL */
+    const struct basis *basis[MAX_FUNCTIONS];
     struct pair *value[MAX_FUNCTIONS];
 };
+
+static const struct basis CONSTANT = { .side_a = 1, .side_b = 1 };
 
 struct tree {
     const struct characteristic *c;
@@ -46,12 +46,13 @@ struct tree {
 
 /* The patches of an element. */
 struct patches {
+    enum element_kind kind;
     struct pair *of[MAX_FUNCTIONS];
 };
 
 static struct patches new_patches(const struct tree *t, enum element_kind kind)
 {
-    struct patches out = { { NULL } };
+    struct patches out = { kind, { NULL } };
 
     for (int i = 0; i < t->functions; i++)
         out.of[i] = allocate((size_t)t->f[i]->window[kind].count, sizeof out.of[i][0]);
@@ -105,7 +106,7 @@ static struct pair refine_label(const struct pair *old, const struct window *win
 }
 
 static struct patches refine_patches(const struct tree *t, const struct patches *old,
-                                     enum element_kind kind, const struct child *child)
+                                     const struct child *child)
 {
     struct patches out = new_patches(t, child->kind);
 
@@ -113,7 +114,7 @@ static struct patches refine_patches(const struct tree *t, const struct patches 
         const struct window *window = &t->f[i]->window[child->kind];
 
         for (int n = 0; n < window->count; n++)
-            out.of[i][n] = refine_label(old->of[i], &t->f[i]->window[kind],
+            out.of[i][n] = refine_label(old->of[i], &t->f[i]->window[old->kind],
                                         &t->f[i]->mask, window->label[n].a + child->a,
                                         window->label[n].b + child->b, t->g);
     }
@@ -123,91 +124,64 @@ static struct patches refine_patches(const struct tree *t, const struct patches 
 /* Leaves
  * ------ */
 
-/* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by
- * rho. */
-static interval widened(interval hull, integer rho, const struct refinable *f,
-                        bool version_0)
+/* [mid(H) - e, mid(H) + e], e = ceil(T (rad(H) + rho)/1024); in version 0 H widened by rho. */
+static interval widened(interval hull, interval rho, const struct refinable *f, bool version_0)
 {
     integer mid = interval_mid(hull), e;
 
     if (version_0)
-        return interval_of(integer_sub(hull.lo, rho), integer_add(hull.hi, rho));
-    e = integer_mul(integer_from(f->stability), integer_add(interval_rad(hull), rho));
+        return interval_add(hull, rho);
+    e = integer_mul(integer_from(f->stability), integer_add(interval_rad(hull), rho.hi));
     e = integer_shift_ceil(e, 10);
     return interval_of(integer_sub(mid, e), integer_add(mid, e));
 }
 
 /* c and d each. */
-static struct affine widened_parts(struct affine hull, struct error rho,
+static struct affine widened_parts(struct affine hull, struct affine rho,
                                    const struct refinable *f, bool version_0)
 {
     hull.c = widened(hull.c, rho.c, f, version_0);
-    if (!interval_is_zero(hull.d) || rho.d.sign != 0)
+    if (!interval_is_zero(hull.d) || !interval_is_zero(rho.d))
         hull.d = widened(hull.d, rho.d, f, version_0);
     return hull;
 }
 
-static struct pair patch_box(const struct pair *patch, const struct refinable *f,
-                             enum element_kind kind, bool version_0)
+static struct leaf box_leaf(const struct tree *t, const struct patches *patches)
 {
-    struct pair hull = patch[0];
-
-    for (int i = 1; i < f->window[kind].count; i++) {
-        hull.x = affine_hull(hull.x, patch[i].x);
-        hull.y = affine_hull(hull.y, patch[i].y);
-    }
-    hull.x = widened_parts(hull.x, f->rho_x, f, version_0);
-    hull.y = widened_parts(hull.y, f->rho_y, f, version_0);
-    return hull;
-}
-
-/* [-rho, rho] */
-static struct affine around_zero(struct error rho)
-{
-    return (struct affine) { { integer_negate(rho.c), rho.c },
-                             { integer_negate(rho.d), rho.d } };
-}
-
-/* The patch with its values widened by rho. */
-static struct pair *widened_patch(const struct pair *patch, const struct refinable *f,
-                                  int count)
-{
-    struct pair *out = allocate((size_t)count, sizeof out[0]);
-    struct affine x = around_zero(f->rho_x), y = around_zero(f->rho_y);
-
-    for (int n = 0; n < count; n++) {
-        out[n].x = affine_add(patch[n].x, x);
-        out[n].y = affine_add(patch[n].y, y);
-    }
-    return out;
-}
-
-static struct leaf box_leaf(const struct tree *t, const struct patches *patches,
-                            enum element_kind kind)
-{
-    struct leaf out = { .kind = kind };
-
-    for (int i = 0; i < t->functions; i++) {
-        out.value[i] = allocate(1, sizeof out.value[i][0]);
-        *out.value[i] = patch_box(patches->of[i], t->f[i], kind, t->c->version_0);
-    }
-    return out;
-}
-
-static struct leaf coefficient_leaf(const struct tree *t, const struct patches *patches,
-                                    enum element_kind kind)
-{
-    struct leaf out = { .kind = kind };
+    struct leaf out = { .kind = patches->kind };
 
     for (int i = 0; i < t->functions; i++) {
         const struct refinable *f = t->f[i];
+        struct pair *hull = out.value[i] = allocate(1, sizeof *hull);
+
+        out.basis[i] = &CONSTANT;
+        *hull = patches->of[i][0];
+        for (int n = 1; n < f->window[patches->kind].count; n++) {
+            hull->x = affine_hull(hull->x, patches->of[i][n].x);
+            hull->y = affine_hull(hull->y, patches->of[i][n].y);
+        }
+        hull->x = widened_parts(hull->x, f->rho.x, f, t->c->version_0);
+        hull->y = widened_parts(hull->y, f->rho.y, f, t->c->version_0);
+    }
+    return out;
+}
+
+/* Those of the patches with their values widened by rho. */
+static struct leaf coefficient_leaf(const struct tree *t, const struct patches *patches)
+{
+    struct leaf out = { .kind = patches->kind };
+
+    for (int i = 0; i < t->functions; i++) {
+        const struct refinable *f = t->f[i];
+        const struct window *window = &f->window[patches->kind];
 
         if (!f->has_basis)
             rejected(t->certificate->file, t->line, "%s: the letter 2 is for masks of box "
                      "splines only", t->name);
-        out.basis[i] = &f->basis[kind];
-        out.value[i] = basis_coefficients(out.basis[i], &f->window[kind],
-            widened_patch(patches->of[i], f, f->window[kind].count), t->g);
+        for (int n = 0; n < window->count; n++)
+            patches->of[i][n] = pair_add(patches->of[i][n], f->rho);
+        out.basis[i] = &f->basis[patches->kind];
+        out.value[i] = basis_coefficients(out.basis[i], window, patches->of[i], t->g);
     }
     return out;
 }
@@ -216,12 +190,8 @@ static struct leaf coefficient_leaf(const struct tree *t, const struct patches *
 static const struct pair *coefficient(const struct leaf *l, int n, int i, int j)
 {
     const struct basis *b = l->basis[n];
-    int side_a = b == NULL ? 1 : b->side_a, side_b = b == NULL ? 1 : b->side_b;
 
-    if (i < 0 || i >= side_a || j < 0 || j >= side_b ||
-        (b != NULL && !basis_has(b, l->kind, i, j)))
-        return NULL;
-    return &l->value[n][i * side_b + j];
+    return i >= 0 && j >= 0 && basis_has(b, l->kind, i, j) ? &l->value[n][i * b->side_b + j] : NULL;
 }
 
 /* What leaves show
@@ -232,16 +202,14 @@ static struct affine determinant(const struct pair *v, const struct pair *w, int
     return affine_sub(affine_mul(v->x, w->y, g), affine_mul(v->y, w->x, g));
 }
 
-/* det(d1, d2) > 0 for the boxes; or for all coefficients, the sums of d1_i and d2_j with
- * i j = g. */
+/* det(d1, d2) > 0 for all coefficients: the sums of those of d1_i and d2_j with i j = g. */
 static bool jacobian_is_positive(struct tree *t, const struct leaf *l)
 {
     const struct basis *p = l->basis[0], *q = l->basis[1];
-    int side_a = p == NULL ? 1 : p->side_a + q->side_a - 1;
-    int side_b = p == NULL ? 1 : p->side_b + q->side_b - 1;
+    int side_a = p->side_a + q->side_a - 1, side_b = p->side_b + q->side_b - 1;
 
     for (int a = 0; a < side_a; a++) {
-        for (int b = 0; b < (p != NULL && p->triangular ? side_a - a : side_b); b++) {
+        for (int b = 0; b < (p->triangular ? side_a - a : side_b); b++) {
             struct affine sum = affine_from_whole(0, t->g);
 
             for (int i = 0; i <= a; i++) {
@@ -271,11 +239,9 @@ static bool half_plane_contains(struct tree *t, const struct leaf *l)
 {
     interval nx = grid_from(t->certificate->normal[0], t->g);
     interval ny = grid_from(t->certificate->normal[1], t->g);
-    int side_a = l->basis[0] == NULL ? 1 : l->basis[0]->side_a;
-    int side_b = l->basis[0] == NULL ? 1 : l->basis[0]->side_b;
 
-    for (int i = 0; i < side_a; i++) {
-        for (int j = 0; j < side_b; j++) {
+    for (int i = 0; i < l->basis[0]->side_a; i++) {
+        for (int j = 0; j < l->basis[0]->side_b; j++) {
             const struct pair *v = coefficient(l, 0, i, j);
 
             if (v != NULL && !affine_is_positive(affine_add(affine_scale(nx, v->x, t->g),
@@ -338,16 +304,15 @@ static struct tree make_tree(const struct characteristic *c, const struct certif
         .elements = of_jacobian ? c->elements : c->segments,
         .element = of_jacobian ? c->element : c->segment,
         .functions = of_jacobian ? 2 : 1,
-        .f = { of_jacobian ? &c->first : &c->value, &c->second }
+        .f = { &c->f[of_jacobian ? 1 : 0], &c->f[2] }
     };
 
     return out;
 }
 
-/* Checks the tree of an element of this kind and these patches, which is part of the
- * element e of level 0. */
-static void check_tree(struct tree *t, const struct patches *patches,
-                       enum element_kind kind, int depth, const struct element *e)
+/* Checks the tree of an element of these patches, which is part of the element e of level 0. */
+static void check_tree(struct tree *t, const struct patches *patches, int depth,
+                       const struct element *e)
 {
     struct mark mark = scratch_mark();
     struct leaf leaf;
@@ -357,7 +322,7 @@ static void check_tree(struct tree *t, const struct patches *patches,
         rejected(t->certificate->file, t->line, "%s: the word is too short", t->name);
     letter = *t->next++;
     if (letter != '1') {
-        leaf = letter == '0' ? box_leaf(t, patches, kind) : coefficient_leaf(t, patches, kind);
+        leaf = letter == '0' ? box_leaf(t, patches) : coefficient_leaf(t, patches);
         if (!t->decide(t, &leaf))
             rejected(t->certificate->file, t->line, "%s: a leaf of level %d in %s(%d,%d) is not "
                      "decided%s", t->name, depth, element_form[e->kind].name, e->a, e->b,
@@ -369,11 +334,10 @@ static void check_tree(struct tree *t, const struct patches *patches,
         cannot_check_at(t->certificate->file, t->line, 0,
                         "%s: expected trees of a depth of at most %d", t->name,
                         MAX_DEPTH);
-    for (int i = 0; i < element_form[kind].children; i++) {
-        const struct child *child = &element_form[kind].child[i];
-        struct patches next = refine_patches(t, patches, kind, child);
+    for (int i = 0; i < element_form[patches->kind].children; i++) {
+        struct patches next = refine_patches(t, patches, &element_form[patches->kind].child[i]);
 
-        check_tree(t, &next, child->kind, depth + 1, e);
+        check_tree(t, &next, depth + 1, e);
         scratch_release(mark);
     }
 }
@@ -401,7 +365,7 @@ static struct path check_trees(struct tree t)
         struct patches patches = start_patches(&t, e);
 
         t.path = (struct path) { .begun = false };
-        check_tree(&t, &patches, e->kind, 0, e);
+        check_tree(&t, &patches, 0, e);
         if (t.path.begun)
             join_paths(&t, &curve, e->kind == ELEMENT_G ? reversed(t.path) : t.path);
         scratch_release(mark);
@@ -427,7 +391,6 @@ static void check_winding(const struct characteristic *c, const struct certifica
 static struct leaf find_witness(const struct tree *t, const struct witness *w)
 {
     struct patches patches;
-    enum element_kind kind;
 
     if (w->element >= t->elements)
         rejected(t->certificate->file, w->line, "witness: there are %d elements", t->elements);
@@ -435,16 +398,15 @@ static struct leaf find_witness(const struct tree *t, const struct witness *w)
         cannot_check_at(t->certificate->file, w->line, 0,
                         "witness: expected a depth of at most %d", MAX_DEPTH);
     patches = start_patches(t, &t->element[w->element]);
-    kind = t->element[w->element].kind;
     for (size_t i = 0; i < w->path_size; i++) {
+        const struct element_form *form = &element_form[patches.kind];
         int number = w->path[i] - '0';
 
-        if (number >= element_form[kind].children)
+        if (number >= form->children)
             rejected(t->certificate->file, w->line, "witness: there is no child %d", number);
-        patches = refine_patches(t, &patches, kind, &element_form[kind].child[number]);
-        kind = element_form[kind].child[number].kind;
+        patches = refine_patches(t, &patches, &form->child[number]);
     }
-    return box_leaf(t, &patches, kind);
+    return box_leaf(t, &patches);
 }
 
 static void expect_witness(bool shows, const struct certificate *c, const struct witness *w)
@@ -464,20 +426,14 @@ static void check_witness(struct tree t, const struct witness *w)
 /* Is one of the four determinants of a part of c and a part of d not 0? */
 static bool is_independent(const struct leaf *c, const struct leaf *d, int g)
 {
-    const struct affine of_c[2][2] = { { c->value[0]->x, c->value[1]->x },
-                                       { c->value[0]->y, c->value[1]->y } };
-    const struct affine of_d[2][2] = { { d->value[0]->x, d->value[1]->x },
-                                       { d->value[0]->y, d->value[1]->y } };
+    const struct pair of_c[2] = { { c->value[0]->x, c->value[1]->x },
+                                  { c->value[0]->y, c->value[1]->y } };
+    const struct pair of_d[2] = { { d->value[0]->x, d->value[1]->x },
+                                  { d->value[0]->y, d->value[1]->y } };
 
-    for (int i = 0; i < 2; i++) {
-        for (int j = 0; j < 2; j++) {
-            struct affine det = affine_sub(affine_mul(of_c[i][0], of_d[j][1], g),
-                                           affine_mul(of_c[i][1], of_d[j][0], g));
-
-            if (!interval_contains_zero(affine_range(det)))
-                return true;
-        }
-    }
+    for (int i = 0; i < 4; i++)
+        if (!interval_contains_zero(affine_range(determinant(&of_c[i / 2], &of_d[i % 2], g))))
+            return true;
     return false;
 }
 

@@ -27,6 +27,17 @@ interval spectrum_add_product(interval sum, interval x, interval y, int g)
     return interval_add(sum, grid_mul(x, y, g));
 }
 
+interval spectrum_dot(const interval *x, const interval *y, int stride, int size, int g)
+{
+    struct mark mark = scratch_mark();
+    interval sum = grid_from(0, g);
+
+    for (int j = 0; j < size; j++)
+        sum = spectrum_add_product(sum, x[j], y[j * stride], g);
+    interval_keep(mark, &sum, 1);
+    return sum;
+}
+
 /* One matrix
  * ---------- */
 
@@ -69,8 +80,7 @@ static void read_choices(struct krawczyk *s, const struct choices *c, integer ra
         }
     }
     for (size_t i = 0; i < size * size; i++)       /* exact, since g >= 64 */
-        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i],
-                                                         s->g - INVERSE_BITS));
+        s->inverse[i] = interval_thin(integer_shift_left(c->inverse[i], s->g - INVERSE_BITS));
 }
 
 /* f = M x~ - L~ x~ */
@@ -78,10 +88,8 @@ static void compute_residual(struct krawczyk *s)
 {
     for (int i = 0; i < s->size; i++) {
         struct mark mark = scratch_mark();
-        interval sum = grid_from(0, s->g);
+        interval sum = spectrum_dot(&s->m[i * s->size], s->mid, 1, s->size, s->g);
 
-        for (int j = 0; j < s->size; j++)
-            sum = spectrum_add_product(sum, s->m[i * s->size + j], s->mid[j], s->g);
         sum = interval_sub(sum, grid_mul(s->l_mid[0], s->mid[i], s->g));
         if (!s->real)
             sum = interval_sub(sum, grid_mul(s->l_mid[1], turned(s, s->mid, i), s->g));
@@ -115,24 +123,23 @@ static void compute_slope(struct krawczyk *s)
     }
 }
 
-/* K_i = - sum_l Y_il f_l + sum_l (delta_il - sum_q Y_iq G_ql) [-rho, rho] */
+/* E_il, E = 1 - Y G */
+static interval defect(const struct krawczyk *s, int i, int l)
+{
+    interval product = spectrum_dot(&s->inverse[i * s->size], &s->slope[l], s->size, s->size, s->g);
+
+    return interval_sub(grid_from(i == l ? 1 : 0, s->g), product);
+}
+
+/* K_i = - sum_l Y_il f_l + sum_l E_il [-rho, rho] */
 static interval compute_image(const struct krawczyk *s, int i, interval box)
 {
-    int size = s->size;
-    const interval *y = &s->inverse[i * size];
-    interval out = grid_from(0, s->g);
+    interval out = interval_minus(spectrum_dot(&s->inverse[i * s->size], s->f, 1, s->size, s->g));
 
-    for (int l = 0; l < size; l++)
-        out = spectrum_add_product(out, y[l], s->f[l], s->g);
-    out = interval_minus(out);
-    for (int l = 0; l < size; l++) {
+    for (int l = 0; l < s->size; l++) {
         struct mark mark = scratch_mark();
-        interval sum = grid_from(0, s->g);
 
-        for (int q = 0; q < size; q++)
-            sum = spectrum_add_product(sum, y[q], s->slope[q * size + l], s->g);
-        sum = interval_sub(grid_from(i == l ? 1 : 0, s->g), sum);
-        out = interval_add(out, grid_mul(sum, box, s->g));
+        out = interval_add(out, grid_mul(defect(s, i, l), box, s->g));
         interval_keep(mark, &out, 1);
     }
     return out;
@@ -147,8 +154,7 @@ static void prove_inclusion(const struct krawczyk *s, integer radius, const char
         struct mark mark = scratch_mark();
         interval image = compute_image(s, i, box);
 
-        if (integer_compare(image.lo, box.lo) <= 0 ||
-            integer_compare(image.hi, box.hi) >= 0)
+        if (integer_compare(image.lo, box.lo) <= 0 || integer_compare(image.hi, box.hi) >= 0)
             rejected(file, line,
                      "%s: the Krawczyk operator does not map the box into "
                      "its interior (component %d)", name, i + 1);
@@ -173,8 +179,7 @@ static struct krawczyk prove_box(const interval *matrix, const struct choices *c
     read_choices(&s, choices, radius);
     compute_residual(&s);
     compute_slope(&s);
-    prove_inclusion(&s, radius, c->file,
-                    range ? choices->line_of.range : choices->line_of.radius,
+    prove_inclusion(&s, radius, c->file, range ? choices->line_of.range : choices->line_of.radius,
                     range ? "range" : "radius");
     return s;
 }
@@ -189,27 +194,21 @@ static interval *right_hand_side(const struct krawczyk *s, const struct affine *
 
     for (int i = 0; i < s->size; i++) {
         for (int j = 0; j < s->size; j++)
-            out[i] = spectrum_add_product(out[i], matrix[i * s->size + j].d, s->box[j],
-                                          s->g);
+            out[i] = spectrum_add_product(out[i], matrix[i * s->size + j].d, s->box[j], s->g);
         out[i] = interval_minus(out[i]);
     }
     return out;
 }
 
-/* sum_l mag(E_il), E = 1 - Y G */
+/* sum_l mag(E_il) */
 static integer row_of_defect(const struct krawczyk *s, int i)
 {
     integer out = integer_from(0);
 
     for (int l = 0; l < s->size; l++) {
         struct mark mark = scratch_mark();
-        interval sum = grid_from(0, s->g);
 
-        for (int q = 0; q < s->size; q++)
-            sum = spectrum_add_product(sum, s->inverse[i * s->size + q],
-                                       s->slope[q * s->size + l], s->g);
-        sum = interval_sub(grid_from(i == l ? 1 : 0, s->g), sum);
-        out = integer_add(out, interval_magnitude(sum));
+        out = integer_add(out, interval_magnitude(defect(s, i, l)));
         integer_keep(mark, &out, 1);
     }
     return out;
@@ -225,8 +224,7 @@ static interval *solve(const struct krawczyk *s, const struct affine *matrix,
     integer one = grid_from(1, s->g).lo, most = integer_from(0), beta = most, w;
 
     for (int i = 0; i < s->size; i++) {
-        for (int l = 0; l < s->size; l++)
-            out[i] = spectrum_add_product(out[i], s->inverse[i * s->size + l], r[l], s->g);
+        out[i] = spectrum_dot(&s->inverse[i * s->size], r, 1, s->size, s->g);
         e[i] = row_of_defect(s, i);
         beta = integer_max(beta, interval_magnitude(out[i]));
         most = integer_max(most, e[i]);

@@ -24,4 +24,7 @@ struct eigenpair eigenpair_prove(const struct affine *matrix, const struct choic
 /* sum + x y */
 interval spectrum_add_product(interval sum, interval x, interval y, int g);
 
+/* sum of x_j y_(j stride) over j < size */
+interval spectrum_dot(const interval *x, const interval *y, int stride, int size, int g);
+
 #endif

@@ -47,8 +47,7 @@ static bool is_in_window(enum element_kind kind, const struct stencil *mask,
 }
 
 /* f(y) lies between min f - hi_f and max f - lo_f, and f from 0 to 1. */
-struct window window_make(enum element_kind kind, const struct stencil *mask,
-                          enum mesh mesh)
+struct window window_make(enum element_kind kind, const struct stencil *mask, enum mesh mesh)
 {
     struct window out = { .low_a = -mask->high[0], .low_b = -mask->high[1],
                           .side_a = mask->high[0] - mask->low[0] + 2,
@@ -85,8 +84,7 @@ static int distance_to_element(enum element_kind kind, enum mesh mesh, int a, in
     int least = -1;
 
     for (int i = 0; i < form->vertices; i++) {
-        int distance = lattice_distance(mesh, a - form->vertex[i].a,
-                                        b - form->vertex[i].b);
+        int distance = lattice_distance(mesh, a - form->vertex[i].a, b - form->vertex[i].b);
 
         if (least < 0 || distance < least)
             least = distance;
@@ -113,8 +111,7 @@ int window_reach(const struct window *w, enum element_kind kind, enum mesh mesh,
 /* Rings
  * ----- */
 
-static void add_element(struct element *list, int *count, enum element_kind kind, int a,
-                        int b)
+static void add_element(struct element *list, int *count, enum element_kind kind, int a, int b)
 {
     list[(*count)++] = (struct element) { kind, a, b };
 }

@@ -43,8 +43,7 @@ struct window {
     int *index;
 };
 
-struct window window_make(enum element_kind kind, const struct stencil *mask,
-                          enum mesh mesh);
+struct window window_make(enum element_kind kind, const struct stencil *mask, enum mesh mesh);
 
 /* The index of (a,b), or -1. */
 int window_index(const struct window *w, int a, int b);

@@ -6,8 +6,7 @@
 #include "answer.h"
 
 /* exact: enclosures leave it unknown. */
-static enum truth decide(const struct node *condition, const struct environment *e,
-                         bool exact)
+static enum truth decide(const struct node *condition, const struct environment *e, bool exact)
 {
     enum truth out = condition->kind == NODE_AND ? YES : NO;
 
@@ -64,8 +63,7 @@ static struct value evaluate_chain(const struct node *f, const struct environmen
     return out;
 }
 
-/* Over a range of m or k the hull of all cases that may apply, up to one that certainly
- * does. */
+/* Over a range of m or k the hull of all cases that may apply, up to one that certainly does. */
 static struct value evaluate_cases(const struct node *f, const struct environment *e)
 {
     bool range = (span_is_several(e->m) && (f->meaning & MEANS_M) != 0) ||
@@ -79,8 +77,7 @@ static struct value evaluate_cases(const struct node *f, const struct environmen
         if (truth == UNKNOWN && !range)
             return value_undefined(n, "this comparison cannot be decided", true);
         if (truth != NO)
-            out = several ? value_hull(out, evaluate(here, e), here, e->g)
-                          : evaluate(here, e);
+            out = several ? value_hull(out, evaluate(here, e), here, e->g) : evaluate(here, e);
         if (truth == YES)
             return out;
         several = several || truth == UNKNOWN;
@@ -95,8 +92,11 @@ struct value evaluate(const struct node *f, const struct environment *e)
 
     switch (f->kind) {
     case NODE_NUMBER:
+        out = value_from(f->number);
+        break;
     case NODE_PI:
-        out = value_constant(f);
+        out = value_from(rational_from(1, 1));
+        out.kind = ANGLE;
         break;
     case NODE_K:
         out = value_variable(e->k, span_is_several(e->k), f);
@@ -136,8 +136,7 @@ struct environment environment_make(const struct language *l, struct span k, str
             out.definition[i] = value_from(d->low);
         else
             out.definition[i] = value_enclosure(
-                interval_hull(grid_from_rational(d->low, g),
-                              grid_from_rational(d->high, g)));
+                interval_hull(grid_from_rational(d->low, g), grid_from_rational(d->high, g)));
     }
     return out;
 }

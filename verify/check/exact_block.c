@@ -1,99 +1,103 @@
-/* Exact blocks: section 3 of exact.md.  Sector nets as in sector.c, over a field of cosines; a value
- * is computed when it is first asked for, after each step of the subdivision. */
+/* Exact blocks: section 3 of exact.md.  Sector nets as in sector.c, over a field of cosines. */
 
-#include "exact_block.h"
+#include "polynomial.h"
 
 #include "answer.h"
 #include "exact_formula.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 struct exact_pair {
     struct number x, y;
 };
 
-/* A source of a rule contributes weight T^sectors of its value. */
-struct exact_term {
-    const struct source *source;
-    struct number weight;
-    int sectors;
-};
-
-struct exact_rule {
-    int terms;
-    struct exact_term *term;
-};
-
-/* The net after so many steps, the centre (0,0) among its values. */
-struct exact_net {
-    int rings;
-    bool *known;
-    struct exact_pair *value;
+/* T and T^-1 of the real form. */
+struct exact_turns {
+    const struct field *k;
+    struct number u, turn[4], back[4];
 };
 
 struct computation {
-    const struct block *block;
-    const struct field *k;
+    struct block block;
+    struct exact_turns turns;
     int line;                                      /* of the certificate */
-    struct number u, turn[4], back[4];
-    struct exact_rule *rule[MAX_STEPS];            /* as in v->step[].rule */
-    struct exact_net net[MAX_STEPS + 1];
 };
-
-static struct exact_pair value_at(struct computation *c, int step, int a, int b);
 
 /* Pairs
  * ----- */
 
-static struct exact_pair zero_pair(void)
-{
-    return (struct exact_pair) { number_from_whole(0), number_from_whole(0) };
-}
-
-static void add_product(struct number *sum, const struct number *a, const struct number *b,
-                        const struct field *k)
-{
-    struct number product;
-
-    if (number_is_zero(a) || number_is_zero(b))
-        return;
-    product = number_mul(a, b, k);
-    *sum = number_add(sum, &product);
-}
-
 static struct exact_pair image(const struct number m[4], const struct exact_pair *v,
                                const struct field *k)
 {
-    struct exact_pair out = zero_pair();
+    struct exact_pair out = { number_from_whole(0), number_from_whole(0) };
 
-    add_product(&out.x, &m[0], &v->x, k);
-    add_product(&out.x, &m[1], &v->y, k);
-    add_product(&out.y, &m[2], &v->x, k);
-    add_product(&out.y, &m[3], &v->y, k);
+    number_add_product(&out.x, &m[0], &v->x, k);
+    number_add_product(&out.x, &m[1], &v->y, k);
+    number_add_product(&out.y, &m[2], &v->x, k);
+    number_add_product(&out.y, &m[3], &v->y, k);
     return out;
 }
 
-/* T and T^-1 of the real form. */
+static void turn(void *v, bool behind, const struct block *block)
+{
+    const struct exact_turns *t = block->own;
+
+    *(struct exact_pair *)v = image(behind ? t->turn : t->back, v, t->k);
+}
+
+static void add_multiple(struct exact_pair *sum, const struct number *weight,
+                         const struct exact_pair *v, const struct field *k)
+{
+    number_add_product(&sum->x, weight, &v->x, k);
+    number_add_product(&sum->y, weight, &v->y, k);
+}
+
+static const struct field *exact_field(const struct block *block)
+{
+    return ((const struct exact_turns *)block->own)->k;
+}
+
+/* A source of one sector contributes its weight times T^sectors. */
+static void add_term(void *sum, const struct term *t, const void *v, const struct block *block)
+{
+    int sectors = t->source->kind == SOURCE_ONE && !block->plain ? t->source->sectors : 0;
+    struct exact_pair turned = *(const struct exact_pair *)v;
+
+    for (int n = 0; n < abs(sectors); n++)
+        turn(&turned, sectors > 0, block);
+    add_multiple(sum, t->own, &turned, exact_field(block));
+}
+
+static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
+                      const struct block *block)
+{
+    struct number weight = number_from(e->exact);
+
+    add_multiple(sum, &weight, v, exact_field(block));
+}
+
+static const struct arithmetic EXACT = { sizeof(struct exact_pair), turn, add_term, add_entry, NULL,
+                                         NULL };
+
 static void prepare_turns(struct computation *c)
 {
-    const struct block *block = c->block;
-    rational q = rational_from(block->m.first, block->v->k.first);
+    struct exact_turns *t = &c->turns;
+    rational q = rational_from(c->block.m.first, c->block.v->k.first);
     struct number one = number_from_whole(1), v, square, cosine, n;
 
-    if (!number_cos_pi(&c->u, q, c->k))
-        rejected(block->v->reference.file, c->line, "exact: cos(pi m/k) is not in the field");
-    v = number_add(&c->u, &c->u);
-    cosine = number_mul(&v, &c->u, c->k);
+    if (!number_cos_pi(&t->u, q, t->k))
+        rejected(c->block.v->reference.file, c->line, "exact: cos(pi m/k) is not in the field");
+    v = number_add(&t->u, &t->u);
+    cosine = number_mul(&v, &t->u, t->k);
     cosine = number_sub(&cosine, &one);
-    square = number_mul(&c->u, &c->u, c->k);
+    square = number_mul(&t->u, &t->u, t->k);
     n = number_sub(&one, &square);
-    n = number_mul(&v, &n, c->k);
-    c->turn[0] = c->turn[3] = c->back[0] = c->back[3] = cosine;
-    c->turn[1] = number_minus(&n);
-    c->turn[2] = v;
-    c->back[1] = n;
-    c->back[2] = number_minus(&v);
+    n = number_mul(&v, &n, t->k);
+    t->turn[0] = t->turn[3] = t->back[0] = t->back[3] = cosine;
+    t->turn[1] = number_minus(&n);
+    t->turn[2] = v;
+    t->back[1] = n;
+    t->back[2] = number_minus(&v);
 }
 
 /* Rules
@@ -102,11 +106,11 @@ static void prepare_turns(struct computation *c)
 static struct number formula_at(struct computation *c, const struct node *f, struct span m,
                                 struct span j)
 {
-    const struct valence *v = c->block->v;
+    const struct valence *v = c->block.v;
     struct environment e = environment_make(&v->scheme->language, v->k, m, j, v->g);
     struct number out;
 
-    if (!exact_value(&out, f, &e, c->k))
+    if (!exact_value(&out, f, &e, c->turns.k))
         rejected(v->reference.file, c->line, "exact: the formula in line %d, column %d of the "
                  "scheme has no exact value in the field", f->line, f->column);
     return out;
@@ -121,7 +125,7 @@ static struct number total_weight(struct computation *c, const struct source *s)
         return formula_at(c, s->weight, span_of(0), NOTHING);
     if (s->kind != SOURCE_EACH)
         return formula_at(c, s->weight, NOTHING, NOTHING);
-    for (int64_t j = 0; j < c->block->v->k.first; j++) {
+    for (int64_t j = 0; j < c->block.v->k.first; j++) {
         struct mark mark = scratch_mark();
         struct number w = formula_at(c, s->weight, NOTHING, span_of(j));
 
@@ -131,211 +135,75 @@ static struct number total_weight(struct computation *c, const struct source *s)
     return sum;
 }
 
-/* False if the source contributes nothing. */
-static bool make_term(struct exact_term *out, const struct source *s, const struct number *w,
-                      struct computation *c)
-{
-    bool plain = c->block->plain;
-
-    *out = (struct exact_term) { s, *w, plain || s->kind != SOURCE_ONE ? 0 : s->sectors };
-    if (!plain && (s->kind == SOURCE_CENTRE || s->kind == SOURCE_ALL))
-        return false;
-    if (!plain && (s->kind == SOURCE_EACH || s->imaginary != NULL))
-        rejected(c->block->v->reference.file, c->line, "exact: a weight for each sector, or an "
-                 "imaginary part, has no exact value");
-    if (!plain && s->kind == SOURCE_SPECTRUM)
-        out->weight = formula_at(c, s->weight, c->block->m, NOTHING);
-    return true;
-}
-
-static void prepare_rule(struct exact_rule *out, const struct rule *rule,
-                         struct computation *c)
+/* The weights of the terms; m >= 1: of spectra those at m. */
+static void prepare_rule(struct block_rule *out, const struct rule *rule, struct computation *c)
 {
     struct number *weight = allocate((size_t)rule->count, sizeof weight[0]);
-    struct number rest = number_from_whole(1);
 
+    weight[rule->rest] = number_from_whole(1);
     for (int s = 0; s < rule->count; s++) {
         if (s == rule->rest)
             continue;
         weight[s] = total_weight(c, &rule->source[s]);
-        rest = number_sub(&rest, &weight[s]);
+        weight[rule->rest] = number_sub(&weight[rule->rest], &weight[s]);
     }
-    weight[rule->rest] = rest;
-    out->term = allocate((size_t)rule->count, sizeof out->term[0]);
-    for (int s = 0; s < rule->count; s++)
-        if (make_term(&out->term[out->terms], &rule->source[s], &weight[s], c))
-            out->terms++;
+    for (int i = 0; i < out->terms; i++) {
+        const struct source *s = out->term[i].source;
+        struct number *own = &weight[s - rule->source];
+
+        out->term[i].own = own;
+        if (c->block.plain)
+            continue;
+        if (s->kind == SOURCE_EACH || s->imaginary != NULL)
+            rejected(c->block.v->reference.file, c->line, "exact: a weight for each sector, or an "
+                     "imaginary part, has no exact value");
+        if (s->kind == SOURCE_SPECTRUM)
+            *own = formula_at(c, s->weight, c->block.m, NOTHING);
+    }
 }
 
 static void prepare_rules(struct computation *c)
 {
-    const struct valence *v = c->block->v;
+    const struct valence *v = c->block.v;
 
-    for (int i = 0; i < v->scheme->steps; i++) {
-        c->rule[i] = allocate((size_t)v->step[i].rules, sizeof c->rule[i][0]);
+    for (int i = 0; i < v->scheme->steps; i++)
         for (int n = 0; n < v->step[i].rules; n++)
-            if (c->block->plain || !v->step[i].rule[n].rule->centre)
-                prepare_rule(&c->rule[i][n], v->step[i].rule[n].rule, c);
-    }
-}
-
-/* New values
- * ---------- */
-
-static struct exact_pair value_by_rule(struct computation *c, int step,
-                                       const struct exact_rule *rule)
-{
-    struct exact_pair sum = zero_pair();
-
-    for (int i = 0; i < rule->terms; i++) {
-        const struct exact_term *t = &rule->term[i];
-        struct exact_pair v = value_at(c, step, t->source->a, t->source->b);
-
-        for (int n = 0; n < abs(t->sectors); n++)
-            v = image(t->sectors < 0 ? c->back : c->turn, &v, c->k);
-        add_product(&sum.x, &t->weight, &v.x, c->k);
-        add_product(&sum.y, &t->weight, &v.y, c->k);
-    }
-    return sum;
-}
-
-/* As in sector.c: without a rule the mask must give the centre its old value. */
-static struct exact_pair value_by_mask(struct computation *c, int step, bool centre, int a,
-                                       int b)
-{
-    const struct active_step *active = &c->block->v->step[step];
-    const struct stencil *s = &active->stencil;
-    const struct mask *mask = &active->step->mask;
-    struct exact_pair sum = zero_pair();
-    int class = stencil_class(s, a, b);
-
-    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
-        int x = s->entry[i].a, y = s->entry[i].b;
-        rational w = rational_reduce(*mask_cell(mask, x, y), mask->denominator);
-        struct exact_pair v = value_at(c, step, (a - x) / s->dilation, (b - y) / s->dilation);
-
-        if (centre && (x != 0 || y != 0))
-            cannot_check("the centre has no rule, and the mask does not give it its "
-                         "old value");
-        v = (struct exact_pair) { number_scale(w, &v.x), number_scale(w, &v.y) };
-        sum.x = number_add(&sum.x, &v.x);
-        sum.y = number_add(&sum.y, &v.y);
-    }
-    return sum;
-}
-
-/* At the centre or a label of the sector, after step + 1 steps; at m >= 1 the centre is 0. */
-static struct exact_pair new_value(struct computation *c, int step, bool centre, int a, int b)
-{
-    const struct active_step *active = &c->block->v->step[step];
-    const struct active_rule *rule = valence_rule(active, centre, a, b);
-
-    if (centre && !c->block->plain)
-        return zero_pair();
-    if (rule != NULL)
-        return value_by_rule(c, step, &c->rule[step][rule - active->rule]);
-    return value_by_mask(c, step, centre, a, b);
-}
-
-static enum mesh mesh_after(const struct computation *c, int step)
-{
-    const struct valence *v = c->block->v;
-
-    return step == 0 ? v->scheme->mesh : v->step[step - 1].step->new;
-}
-
-/* The number of a label in the lists of a net. */
-static int cell(const struct exact_net *net, int a, int b)
-{
-    int i = a + net->rings + 1, j = b + net->rings + 1, side = 2 * net->rings + 3;
-
-    if (i < 0 || i >= side || j < 0 || j >= side)
-        cannot_check("the checker looks for a point outside of its net");
-    return i * side + j;
-}
-
-static void set_value(struct exact_net *net, int a, int b, struct exact_pair value)
-{
-    net->value[cell(net, a, b)] = value;
-    net->known[cell(net, a, b)] = true;
-}
-
-/* Of any label of the plane that is not opposite. */
-static struct exact_pair value_at(struct computation *c, int step, int a, int b)
-{
-    const struct block *block = c->block;
-    struct exact_net *net = &c->net[step];
-    enum mesh mesh = mesh_after(c, step);
-    int own_a = a, own_b = b;
-    struct exact_pair out;
-    enum place place;
-
-    if (net->known[cell(net, a, b)])
-        return net->value[cell(net, a, b)];
-    place = label_turn(mesh, &own_a, &own_b);
-    if (place == IN_SECTOR && label_ring(mesh, a, b) > net->rings)
-        cannot_check("the checker looks for a point outside of its net");
-    if (place == OPPOSITE && valence_is_regular(block->v)) {
-        label_from_next(mesh, &own_a, &own_b);
-        place = BEHIND;
-    }
-    if (place == OPPOSITE)
-        cannot_check("a rule uses a point opposite to its sector");
-    if (place == IN_SECTOR || place == CENTRE)
-        out = step == 0 ? zero_pair() : new_value(c, step - 1, place == CENTRE, a, b);
-    else
-        out = value_at(c, step, own_a, own_b);
-    if ((place == BEHIND || place == BEFORE) && !block->plain)
-        out = image(place == BEHIND ? c->turn : c->back, &out, c->k);
-    set_value(net, a, b, out);
-    return out;
+            if (c->block.plain || !v->step[i].rule[n].rule->centre)
+                prepare_rule(&c->block.rule[i][n], v->step[i].rule[n].rule, c);
 }
 
 /* Columns
  * ------- */
 
-/* The net of unknown j; the centre is (0,0). */
-static void set_unit(struct computation *c, int j)
+/* The net of unknown j. */
+static struct net unit_net(const struct computation *c, int j)
 {
-    const struct unknown *at = &c->block->unknown[j];
+    const struct unknown *at = &c->block.unknown[j];
+    struct net out = net_of(&EXACT, c->block.v->scheme->mesh, c->block.rings);
     struct number one = number_from_whole(1), zero = number_from_whole(0);
     struct exact_pair value = { one, zero };
 
     if (at->kind == UNKNOWN_BISECTOR)
-        value = (struct exact_pair) { c->u, one };
+        value = (struct exact_pair) { c->turns.u, one };
     if (at->kind == UNKNOWN_Y)
         value = (struct exact_pair) { zero, one };
-    set_value(&c->net[0], at->a, at->b, value);
+    *(struct exact_pair *)net_add(&out, at->a, at->b) = value;
     if (at->kind != UNKNOWN_X && at->kind != UNKNOWN_Y)
-        return;
+        return out;
     value.y = number_minus(&value.y);              /* V(b,a) = T (x, -y) */
-    set_value(&c->net[0], at->b, at->a, image(c->turn, &value, c->k));
+    *(struct exact_pair *)net_add(&out, at->b, at->a) = image(c->turns.turn, &value, c->turns.k);
+    return out;
 }
 
-static void begin_nets(struct computation *c)
+/* The value of a net at unknown i; what is 0 may be zeroed memory. */
+static struct number read_off(const struct net *net, const struct block *block, int i)
 {
-    const struct scheme *scheme = c->block->v->scheme;
-    int rings = c->block->rings;
+    const struct unknown *at = &block->unknown[i];
+    const struct exact_pair *v = net_find(net, block, at->a, at->b);
+    const struct number *out = at->kind == UNKNOWN_BISECTOR || at->kind == UNKNOWN_Y
+                             ? &v->y : &v->x;
 
-    for (int step = scheme->steps; step >= 0; step--) {
-        struct exact_net *net = &c->net[step];
-        size_t cells = (size_t)(2 * rings + 3) * (size_t)(2 * rings + 3);
-
-        memset(net, 0, sizeof *net);
-        net->rings = rings;
-        net->value = allocate(cells, sizeof net->value[0]);
-        net->known = allocate(cells, sizeof net->known[0]);
-        rings = step > 0 ? step_needs(&scheme->step[step - 1], rings) : rings;
-    }
-}
-
-/* The value of the net after all steps at unknown i. */
-static struct number read_off(struct computation *c, int i)
-{
-    const struct unknown *at = &c->block->unknown[i];
-    struct exact_pair v = value_at(c, c->block->v->scheme->steps, at->a, at->b);
-
-    return at->kind == UNKNOWN_BISECTOR || at->kind == UNKNOWN_Y ? v.y : v.x;
+    return number_is_zero(out) ? number_from_whole(0) : *out;
 }
 
 /* M_ij = B_ij - B_pj, without the first unknown p. */
@@ -357,19 +225,20 @@ struct exact_matrix exact_block(const struct block *block, const struct field *k
     size_t n = (size_t)block->n;
     struct number *column = allocate(n, sizeof column[0]);
 
-    c->block = block;
-    c->k = k;
+    c->block = *block;
+    c->block.own = &c->turns;
+    c->turns.k = k;
     c->line = line;
     prepare_turns(c);
     prepare_rules(c);
     out.entry = allocate(n * n, sizeof out.entry[0]);
     for (size_t j = 0; j < n; j++) {
         struct mark mark = scratch_mark();
+        struct net net = unit_net(c, (int)j);
 
-        begin_nets(c);
-        set_unit(c, (int)j);
+        net = net_subdivide(&net, &c->block, block->rings);
         for (size_t i = 0; i < n; i++)
-            column[i] = read_off(c, (int)i);
+            column[i] = read_off(&net, &c->block, (int)i);
         number_keep(mark, column, n);
         for (size_t i = 0; i < n; i++)
             out.entry[i * n + j] = column[i];

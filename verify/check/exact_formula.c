@@ -53,8 +53,7 @@ static bool cases_value(void *out, const struct node *f, const struct environmen
     return false;
 }
 
-bool ring_value(void *out, const struct node *f, const struct environment *e,
-                const struct ring *r)
+bool ring_value(void *out, const struct node *f, const struct environment *e, const struct ring *r)
 {
     const struct node *formula;
 
@@ -99,8 +98,7 @@ static bool simple_number(void *out, const struct node *f, const struct environm
         return false;
     angle = evaluate(f->first, e);
     return angle.kind == ANGLE && !angle.range &&
-           number_cos_pi(out, sine ? rational_sub(rational_from(1, 2), angle.q) : angle.q,
-                         field);
+           number_cos_pi(out, sine ? rational_sub(rational_from(1, 2), angle.q) : angle.q, field);
 }
 
 /* Quotients by rational numbers only. */
@@ -118,7 +116,7 @@ static bool apply_to_numbers(void *a, char operation, void *b, const void *field
     } else {
         if (!number_get_rational(&q, b) || q.num.sign == 0)
             return false;
-        *x = number_scale(rational_divide(rational_from(1, 1), q), x);
+        *x = number_scale(rational_divide(rational_from(1, 1), q), x, field);
     }
     return true;
 }

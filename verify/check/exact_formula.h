@@ -18,8 +18,7 @@ struct ring {
     const void *field;                             /* for the functions below */
 
     /* The value of a formula that is not made from others; false if it has none. */
-    bool (*simple)(void *out, const struct node *f, const struct environment *e,
-                   const void *field);
+    bool (*simple)(void *out, const struct node *f, const struct environment *e, const void *field);
 
     void (*set)(void *out, rational q);
 

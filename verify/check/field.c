@@ -106,11 +106,9 @@ static void cancel(struct number *a)
             if (a->part[i].sign != 0)
                 a->part[i] = integer_divide_floor(a->part[i], gcd);
     }
-    for (int i = 0; i < MAX_DEGREE; i++)
-        if (integer_bits(a->part[i]) > RATIONAL_BITS)
+    for (int i = -1; i < MAX_DEGREE; i++)
+        if (integer_bits(i < 0 ? a->den : a->part[i]) > RATIONAL_BITS)
             cannot_check("an exact number of more than %d bits occurs", RATIONAL_BITS);
-    if (integer_bits(a->den) > RATIONAL_BITS)
-        cannot_check("an exact number of more than %d bits occurs", RATIONAL_BITS);
 }
 
 struct number number_from(rational q)
@@ -174,8 +172,7 @@ struct number number_sub(const struct number *a, const struct number *b)
     return number_add(a, &minus);
 }
 
-struct number number_mul(const struct number *a, const struct number *b,
-                         const struct field *k)
+struct number number_mul(const struct number *a, const struct number *b, const struct field *k)
 {
     struct mark mark = scratch_mark();
     struct number out = number_from_whole(0);
@@ -186,8 +183,7 @@ struct number number_mul(const struct number *a, const struct number *b,
     for (int i = 0; i < d; i++)
         for (int j = 0; j < d && a->part[i].sign != 0; j++)
             if (b->part[j].sign != 0)
-                product[i + j] = integer_add(product[i + j],
-                                             integer_mul(a->part[i], b->part[j]));
+                product[i + j] = integer_add(product[i + j], integer_mul(a->part[i], b->part[j]));
     for (int i = 2 * d - 2; i >= d; i--)           /* theta^d = - Psi_0 - Psi_1 theta ... */
         for (int j = 0; j < d && product[i].sign != 0; j++)
             if (k->minimal[j].sign != 0)
@@ -200,18 +196,22 @@ struct number number_mul(const struct number *a, const struct number *b,
     return out;
 }
 
-struct number number_scale(rational q, const struct number *a)
+void number_add_product(struct number *sum, const struct number *a, const struct number *b,
+                        const struct field *k)
 {
-    struct mark mark = scratch_mark();
-    struct number out = *a;
+    struct number product;
 
-    for (int i = 0; i < MAX_DEGREE; i++)
-        if (a->part[i].sign != 0)
-            out.part[i] = integer_mul(a->part[i], q.num);
-    out.den = integer_mul(a->den, q.den);
-    cancel(&out);
-    number_keep(mark, &out, 1);
-    return out;
+    if (number_is_zero(a) || number_is_zero(b))
+        return;
+    product = number_mul(a, b, k);
+    *sum = number_is_zero(sum) ? product : number_add(sum, &product);
+}
+
+struct number number_scale(rational q, const struct number *a, const struct field *k)
+{
+    struct number factor = number_from(q);
+
+    return number_mul(&factor, a, k);
 }
 
 bool number_is_zero(const struct number *a)
@@ -231,20 +231,17 @@ bool number_get_rational(rational *out, const struct number *a)
     return true;
 }
 
-/* V_i(theta) */
+/* V_i(theta), from V_0 = 2 and V_(-1) = V_1 = theta on */
 static struct number chebyshev(int i, const struct field *k)
 {
-    struct number last = number_from_whole(2), theta, here;
+    struct number last, theta = number_from_whole(0), here = number_from_whole(2);
 
-    theta = number_from_whole(0);
     if (k->degree > 1)
         theta.part[1] = integer_from(1);
     else                                           /* Psi = x - theta */
         theta.part[0] = integer_negate(k->minimal[0]);
-    here = theta;
-    if (i == 0)
-        return last;
-    for (; i > 1; i--) {
+    last = theta;
+    for (; i > 0; i--) {
         struct number next = number_mul(&theta, &here, k);
 
         next = number_sub(&next, &last);
@@ -268,7 +265,7 @@ bool number_cos_pi(struct number *out, rational q, const struct field *k)
     if (!integer_get_small(&i, place.num, 2 * MAX_FIELD))
         return false;
     *out = chebyshev((int)(i > k->n ? 2 * k->n - i : i), k);
-    *out = number_scale(rational_from(1, 2), out);
+    *out = number_scale(rational_from(1, 2), out, k);
     return true;
 }
 

@@ -43,9 +43,12 @@ bool number_cos_pi(struct number *out, rational q, const struct field *k);
 struct number number_add(const struct number *a, const struct number *b);
 struct number number_sub(const struct number *a, const struct number *b);
 struct number number_minus(const struct number *a);
-struct number number_mul(const struct number *a, const struct number *b,
-                         const struct field *k);
-struct number number_scale(rational q, const struct number *a);
+struct number number_mul(const struct number *a, const struct number *b, const struct field *k);
+
+/* sum + a b; numbers that are 0 may be zeroed memory. */
+void number_add_product(struct number *sum, const struct number *a, const struct number *b,
+                        const struct field *k);
+struct number number_scale(rational q, const struct number *a, const struct field *k);
 
 bool number_is_zero(const struct number *a);
 

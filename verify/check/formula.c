@@ -104,8 +104,7 @@ static void close_parenthesis(struct parser *p)
 }
 
 /* "(" formula { "," formula } ")", from `least` to `most` of them */
-static struct node *read_arguments(enum node_kind kind, int least, int most,
-                                   struct parser *p)
+static struct node *read_arguments(enum node_kind kind, int least, int most, struct parser *p)
 {
     struct node *out = new_node(kind, p), *last = NULL;
     int count = 0;
@@ -205,8 +204,7 @@ static struct node *read_defined_name(const char *word, const struct cursor *pla
                                 "has no meaning here");
         return out;
     }
-    cursor_error(place, "expected a number, a function, `(` or a name that is "
-                        "defined above");
+    cursor_error(place, "expected a number, a function, `(` or a name that is defined above");
 }
 
 static const struct word {
@@ -288,40 +286,37 @@ static struct node *read_power(struct parser *p)
 }
 
 /* One of the two characters, if it is there, else 0. */
-static char accept_either(struct cursor *c, char one, char other)
+static char accept_either(struct cursor *c, const char either[2])
 {
-    return cursor_accept(c, one) ? one : cursor_accept(c, other) ? other : '\0';
+    return cursor_accept(c, either[0]) ? either[0] : cursor_accept(c, either[1]) ? either[1] : '\0';
+}
+
+/* operand { sign operand }, the first one with the sign `before` */
+static struct node *read_chain(enum node_kind kind, char before, const char signs[2],
+                               struct node *(*read_operand)(struct parser *), struct parser *p)
+{
+    struct node *first = read_operand(p), *out, *last = NULL;
+    char join = accept_either(p->c, signs);
+
+    if (join == '\0' && before == signs[0])
+        return first;
+    out = new_node(kind, p);
+    append(out, &last, first, before, p);
+    for (; join != '\0'; join = accept_either(p->c, signs))
+        append(out, &last, read_operand(p), join, p);
+    return out;
 }
 
 static struct node *read_term(struct parser *p)
 {
-    struct node *first = read_power(p), *out, *last = NULL;
-    char join = accept_either(p->c, '*', '/');
-
-    if (join == '\0')
-        return first;
-    out = new_node(NODE_PRODUCT, p);
-    append(out, &last, first, '*', p);
-    for (; join != '\0'; join = accept_either(p->c, '*', '/'))
-        append(out, &last, read_power(p), join, p);
-    return out;
+    return read_chain(NODE_PRODUCT, '*', "*/", read_power, p);
 }
 
 static struct node *read_formula(struct parser *p)
 {
-    struct node *out, *first, *last = NULL;
-    bool minus = cursor_accept(p->c, '-');
-    char join;
+    char sign = cursor_accept(p->c, '-') ? '-' : '+';
 
-    first = read_term(p);
-    join = accept_either(p->c, '+', '-');
-    if (!minus && join == '\0')
-        return first;
-    out = new_node(NODE_SUM, p);
-    append(out, &last, first, minus ? '-' : '+', p);
-    for (; join != '\0'; join = accept_either(p->c, '+', '-'))
-        append(out, &last, read_term(p), join, p);
-    return out;
+    return read_chain(NODE_SUM, sign, "+-", read_term, p);
 }
 
 const struct node *formula_read(struct cursor *c, struct language *l, int allowed)

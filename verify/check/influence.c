@@ -1,15 +1,13 @@
 /* Influence: lib/ring.md, section 3.
  *
- * A plane says which labels of the chart of one sector are regular.  That of the old
- * net says so of all; that of a step's new net follows from the one before it, label
- * by label.  The valence is any one greater than the regular one, so that there are
- * opposite points; all rules are taken to hold.
+ * A plane says which labels of the chart of one sector are regular.  That of the old net says so of
+ * all; that of a step's new net follows from the one before it, label by label.  The valence is any
+ * one greater than the regular one, so that there are opposite points; all rules are taken to hold.
  *
- * Far out all is regular.  Let irregular labels of the old plane lie on rings up to s,
- * and the mask reach h.  A label asks for labels whose ring is at least
- * (ring - h)/dilation - 1, and not for opposite ones, nor across more than one spoke, if
- * its own is beyond 2 h + 2; so beyond dilation (s + 1) + 2 h + 2 only rules can make it
- * irregular.
+ * Far out all is regular.  Let irregular labels of the old plane lie on rings up to s, and the mask
+ * reach h.  A label asks for labels whose ring is at least (ring - h)/dilation - 1, and not for
+ * opposite ones, nor across more than one spoke, if its own is beyond 2 h + 2; so beyond dilation
+ * (s + 1) + 2 h + 2 only rules can make it irregular.
  */
 
 #include "scheme.h"
@@ -54,8 +52,7 @@ static bool charts_agree(enum mesh mesh, int a, int b, int turns)
     other = turn_home(mesh, &x, &y, &there);
     if (place == CENTRE || other == CENTRE)
         return place == other;
-    return place == IN_SECTOR && other == IN_SECTOR && a == x && b == y &&
-           here == turns + there;
+    return place == IN_SECTOR && other == IN_SECTOR && a == x && b == y && here == turns + there;
 }
 
 static bool has_rule(const struct step *step, int a, int b)
@@ -72,8 +69,7 @@ static bool is_regular(const struct step *step, const struct points *mask,
 {
     int own_a = a, own_b = b, turns;
 
-    if (turn_home(step->new, &own_a, &own_b, &turns) != IN_SECTOR ||
-        has_rule(step, own_a, own_b))
+    if (turn_home(step->new, &own_a, &own_b, &turns) != IN_SECTOR || has_rule(step, own_a, own_b))
         return false;
     for (int i = 0; i < mask->count; i++) {
         int x = a - mask->point[i].a, y = b - mask->point[i].b;

@@ -22,24 +22,12 @@ rational laurent_at(const struct laurent *a, int i)
                                                      : a->c[i + LAURENT_DEGREE];
 }
 
-static void add(struct laurent *a, const struct laurent *b)
+/* a + q b */
+static void add_signed(struct laurent *a, int q, const struct laurent *b)
 {
     for (int i = 0; i < SIZE; i++)
         if (b->c[i].num.sign != 0)
-            a->c[i] = rational_add(a->c[i], b->c[i]);
-}
-
-static void negate(struct laurent *a)
-{
-    for (int i = 0; i < SIZE; i++)
-        a->c[i] = rational_negate(a->c[i]);
-}
-
-static void subtract(struct laurent *a, const struct laurent *b)
-{
-    negate(a);
-    add(a, b);
-    negate(a);
+            a->c[i] = rational_add(a->c[i], rational_mul(rational_from(q, 1), b->c[i]));
 }
 
 /* False beyond the largest degree. */
@@ -91,18 +79,14 @@ static void set(void *out, rational q)
 static bool apply(void *a, char operation, void *b, const void *field)
 {
     (void)field;
-    if (operation == '+')
-        add(a, b);
-    else if (operation == '-')
-        subtract(a, b);
-    else
+    if (operation == '*' || operation == '/')
         return (operation == '*' || invert(b)) && multiply(a, b);
+    add_signed(a, operation == '+' ? 1 : -1, b);
     return true;
 }
 
 /* Numbers, k, and parameters with a value. */
-static bool simple(void *out, const struct node *f, const struct environment *e,
-                   const void *field)
+static bool simple(void *out, const struct node *f, const struct environment *e, const void *field)
 {
     const struct definition *d = &e->language->definition[f->name];
 
@@ -112,8 +96,7 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
         set(out, f->number);
     else if (f->kind == NODE_K)
         ((struct laurent *)out)->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
-    else if (f->kind == NODE_NAME && d->formula == NULL &&
-             rational_compare(d->low, d->high) == 0)
+    else if (f->kind == NODE_NAME && d->formula == NULL && rational_compare(d->low, d->high) == 0)
         set(out, d->low);
     else
         return false;
@@ -131,7 +114,7 @@ bool laurent_weights(struct laurent *out, const struct rule *rule, const struct 
             continue;
         if (!ring_value(&out[i], rule->source[i].weight, e, &ring))
             return false;
-        subtract(rest, &out[i]);
+        add_signed(rest, -1, &out[i]);
     }
     return true;
 }

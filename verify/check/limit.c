@@ -1,6 +1,6 @@
 /* Block 0 where it tends to block 1: certificate-valences.md, section 4, "Limit". */
 
-#include "limit.h"
+#include "valences.h"
 
 #include "answer.h"
 #include "laurent.h"
@@ -17,11 +17,11 @@ static noreturn void reject(const struct limit *l, const char *why)
     rejected(l->c->file, l->c->limit.record.line, "limit: %s", why);
 }
 
-/* Affine weights in place of the intervals; at k = inf all of the weight must be at the centre. */
+/* Affine weights in place of the intervals, which nobody needs once there is a limit; at k = inf
+ * all of the weight must be at the centre. */
 static void weigh_centre(const struct limit *l, struct active_rule *rule)
 {
     const struct rule *r = rule->rule;
-    struct weighted *out = allocate((size_t)r->count, sizeof out[0]);
     struct laurent *w = allocate((size_t)r->count, sizeof w[0]);
 
     if (!laurent_weights(w, r, &l->e))
@@ -29,13 +29,11 @@ static void weigh_centre(const struct limit *l, struct active_rule *rule)
     for (int i = 0; i < r->count; i++) {
         int at_infinity = r->source[i].kind == SOURCE_CENTRE ? 1 : 0;
 
-        out[i] = rule->weighted[i];
-        if (!laurent_in_kappa(&out[i].weight, &w[i], l->kappa, l->v->g))
+        if (!laurent_in_kappa(&rule->weighted[i].weight, &w[i], l->kappa, l->v->g))
             reject(l, "a weight of the centre grows with k");
         if (!rational_equals(laurent_at(&w[i], 0), at_infinity, 1))
             reject(l, "the centre does not keep its value at k = inf");
     }
-    rule->weighted = out;
     rule->missing = NULL;
 }
 
@@ -53,36 +51,25 @@ static void check_centre_of_mask(const struct limit *l, const struct active_step
         reject(l, "the mask does not keep the value at the centre");
 }
 
-static void prepare_step(const struct limit *l, struct active_step *step)
-{
-    struct active_rule *rules = allocate((size_t)step->rules, sizeof rules[0]);
-
-    check_centre_of_mask(l, step);
-    for (int n = 0; n < step->rules; n++) {
-        rules[n] = step->rule[n];
-        if (rules[n].rule->centre)
-            weigh_centre(l, &rules[n]);
-    }
-    step->rule = rules;
-}
-
 /* Block 0 without the constant net, over kappa. */
 static struct affine *limit_matrix(const struct limit *l)
 {
-    struct valence *v = allocate(1, sizeof *v);
+    const struct valence *v = l->v;
     struct block block;
 
-    *v = *l->v;
-    for (int i = 0; i < v->scheme->steps; i++)
-        prepare_step(l, &v->step[i]);
+    for (int i = 0; i < v->scheme->steps; i++) {
+        check_centre_of_mask(l, &v->step[i]);
+        for (int n = 0; n < v->step[i].rules; n++)
+            if (v->step[i].rule[n].rule->centre)
+                weigh_centre(l, &v->step[i].rule[n]);
+    }
     block_prepare(&block, v, true, span_of(0));
     if (block.n != l->c->n + 1)
         reject(l, "block 0 is of another order than block 1");
     return spectrum_without_constants(block_matrix(&block), block.n);
 }
 
-void limit_prove(const struct valence *v, const struct eigenpair *pair,
-                 const struct certificate *c)
+void limit_prove(const struct valence *v, const struct eigenpair *pair, const struct certificate *c)
 {
     interval half = grid_from_rational(rational_divide(rational_from(1, 2),
                                                        rational_from(v->k.first, 1)), v->g);

@@ -27,18 +27,18 @@ CHECK_SOURCES = \
   verify/check/eigenpair.h verify/check/eigenpair.c \
   verify/check/spectrum.h verify/check/spectrum.c \
   verify/check/laurent.h verify/check/laurent.c \
-  verify/check/limit.h verify/check/limit.c \
+  verify/check/limit.c \
   verify/check/valences.h verify/check/valences.c \
   verify/check/element.h verify/check/element.c \
   verify/check/spline.h verify/check/spline.c \
   verify/check/influence.c \
   verify/check/characteristic.h verify/check/characteristic.c \
-  verify/check/decide.h verify/check/decide.c \
-  verify/check/window.h verify/check/window.c \
-  verify/check/graded_net.h verify/check/graded_net.c \
-  verify/check/graded.h verify/check/graded.c \
+  verify/check/decide.c \
+  verify/check/window.c \
+  verify/check/graded.h verify/check/graded_net.c \
+  verify/check/graded.c \
   verify/check/exact_formula.h verify/check/exact_formula.c \
-  verify/check/exact_block.h verify/check/exact_block.c \
+  verify/check/exact_block.c \
   verify/check/polynomial.h verify/check/polynomial.c \
   verify/check/ties.h verify/check/ties.c \
   verify/check/check.h verify/check/check.c \

@@ -1,47 +1,9 @@
-/* smoothcert-check: verifies certificates of C1 continuity of subdivision
- * schemes.
+/* smoothcert-check: verifies certificates of C1 continuity of subdivision schemes.
  *
- * The statement (scheme, valences, claim) comes from the command line, the
- * evidence from certificates.  check.c goes through certificate.md section by
- * section; whatever does not hold ends the program with "rejected" or "cannot
- * check" (answer.h), so that to return from it is to have verified everything.
- *
- * The files, in the order in which to read them:
- *
- *     answer          the three answers
- *     scratch         memory
- *     integer         integers of fixed capacity
- *     rational        exact rationals
- *     grid            section 2, grid intervals
- *     trig            section 2, pi, cos, sin
- *     sha256          the hash of the last record
- *     text            files, canonical text, tokens     (lib/scheme.md)
- *     formula         formulas read                     (lib/scheme.md)
- *     value           the arithmetic of values          (lib/scheme.md)
- *     evaluate        formulas evaluated                (lib/scheme.md)
- *     mask            masks and their conditions        (lib/scheme.md)
- *     scheme          scheme files                      (lib/scheme.md)
- *     symmetry        evident mirror symmetry           (lib/scheme.md)
- *     certificate     section 1, the file
- *     regular         section 4, C1 on the regular complex
- *     stability       section 4, the constants K        (lib/stability.md)
- *     valence         section 5, the rules at one valence or several
- *     affine          affine numbers                    (certificate-valences.md)
- *     sector          section 5, sector nets and blocks
- *     spectrum        section 6, the spectrum
- *     slopes          eigenpairs of several valences    (certificate-valences.md)
- *     valences        the spectrum of several valences  (certificate-valences.md)
- *     laurent         polynomials in k and 1/k          (certificate-valences.md)
- *     limit           block 0 as k grows                (certificate-valences.md)
- *     window          a window of frequencies           (certificate-valences.md)
- *     element         section 7, elements, windows, rings
- *     spline          section 7, limits that are polynomials
- *     influence       section 7, how far rules matter   (lib/ring.md)
- *     characteristic  section 7, the characteristic net
- *     decide          section 8, the decisions
- *     check           sections 3 to 9, one after the other
- *     claim           the valences that are claimed, the certificates of a folder
- *     main            arguments and section 10
+ * The statement (scheme, valences, claim) comes from the command line, the evidence from
+ * certificates.  check.c goes through certificate.md section by section; whatever does not hold
+ * ends the program with "rejected" or "cannot check" (answer.h), so that to return from it is to
+ * have verified everything.  README lists the files, in the order in which to read them.
  */
 
 #include "answer.h"
@@ -73,9 +35,10 @@ static const char USAGE[] =
 /* Arguments
  * --------- */
 
-enum { SCHEME, VALENCE, CLAIM, CERTIFICATE, VALUES };
+enum { SCHEME, VALENCE, CLAIM, SET, CERTIFICATE, VALUES };
 
-static const char *const NAME[VALUES] = { "--scheme", "--valence", "--claim", "certificate" };
+static const char *const NAME[VALUES] = { "--scheme", "--valence", "--claim", "--set",
+                                          "certificate" };
 
 struct arguments {
     const char *value[VALUES];
@@ -145,17 +108,15 @@ static void read_option(struct arguments *out, char **arguments, int count, int 
         print_and_exit(USAGE);
     if (strcmp(arguments[*i], "--version") == 0)
         print_and_exit("smoothcert-check, certificates of versions 0 and 1\n");
-    value = option_value("--set", arguments, count, i);
-    if (value != NULL) {
-        add_setting(out, value);
-        return;
-    }
     for (int n = 0; n < CERTIFICATE; n++) {
         value = option_value(NAME[n], arguments, count, i);
-        if (value != NULL) {
+        if (value == NULL)
+            continue;
+        if (n == SET)
+            add_setting(out, value);
+        else
             set_once(out, n, value);
-            return;
-        }
+        return;
     }
     cannot_check("unknown option %s (see --help)", arguments[*i]);
 }
@@ -173,7 +134,7 @@ static void read_arguments(struct arguments *out, int count, char **arguments)
             read_option(out, arguments, count, &i);
     }
     for (int i = 0; i < VALUES; i++)
-        if (out->value[i] == NULL)
+        if (i != SET && out->value[i] == NULL)
             cannot_check("no %s is given (see --help)", NAME[i] + (i == CERTIFICATE ? 0 : 2));
     if (strcmp(out->value[CLAIM], "c1") != 0 && strcmp(out->value[CLAIM], "not-c1") != 0)
         cannot_check("--claim: expected c1 or not-c1");
@@ -193,13 +154,11 @@ static void print_decimal(integer a, bool ceiling, int g)
     scaled = ceiling ? integer_shift_ceil(scaled, g) : integer_shift_floor(scaled, g);
     if (!integer_get_small(&value, scaled, INT64_MAX))
         cannot_check("the checker cannot print L");
-    printf("%lld.%0*d", (long long)(value / TEN_TO_DIGITS), DIGITS,
-           (int)(value % TEN_TO_DIGITS));
+    printf("%lld.%0*d", (long long)(value / TEN_TO_DIGITS), DIGITS, (int)(value % TEN_TO_DIGITS));
 }
 
 /* L lies strictly inside of its interval (section 6), at one valence. */
-static void print_verified(const char *scheme, bool not_c1, struct span k,
-                           const struct verified *v)
+static void print_verified(const char *scheme, bool not_c1, struct span k, const struct verified *v)
 {
     const char *name = v->real ? "L" : "|L|", *less = span_is_several(k) ? "<=" : "<";
 

@@ -28,8 +28,7 @@ struct mask mask_new(int low_a, int low_b, int side_a, int side_b)
 {
     struct mask out = { low_a, low_b, side_a, side_b, integer_from(1), NULL };
 
-    out.coefficient = allocate((size_t)side_a * (size_t)side_b,
-                               sizeof out.coefficient[0]);
+    out.coefficient = allocate((size_t)side_a * (size_t)side_b, sizeof out.coefficient[0]);
     return out;
 }
 
@@ -57,8 +56,7 @@ void mask_set_weights(struct mask *out, const rational *weight)
     for (int i = 0; i < count; i++) {
         integer gcd = integer_gcd(out->denominator, weight[i].den);
 
-        out->denominator = integer_mul(out->denominator,
-                                       integer_divide_floor(weight[i].den, gcd));
+        out->denominator = integer_mul(out->denominator, integer_divide_floor(weight[i].den, gcd));
     }
     for (int i = 0; i < count; i++)
         out->coefficient[i] = integer_mul(weight[i].num,
@@ -159,10 +157,9 @@ const char *mask_fault(const struct mask *mask, enum mesh mesh)
 /* Symbols
  * -------
  *
- * a = q (1 + z^-d) says a(x) = q(x) + q(x+d).  Along a line in direction d that
- * enters the box at x, q is 0 up to x (the hulls of q and q - d lie in that of a),
- * then q(x+d) = a(x) - q(x), and there is no remainder iff it is 0 again where the
- * line leaves the box. */
+ * a = q (1 + z^-d) says a(x) = q(x) + q(x+d).  Along a line in direction d that enters the box at
+ * x, q is 0 up to x (the hulls of q and q - d lie in that of a), then q(x+d) = a(x) - q(x), and
+ * there is no remainder iff it is 0 again where the line leaves the box. */
 bool mask_divide(struct mask *out, const struct mask *a, int da, int db)
 {
     *out = mask_new(a->low_a, a->low_b, a->side_a, a->side_b);
@@ -247,7 +244,8 @@ struct stencil stencil_make(const struct mask *mask, int dilation, int g)
         for (const struct point *x = p.point; x < p.point + p.count; x++)
             if (stencil_class(&out, x->a, x->b) == class)
                 out.entry[count++] = (struct stencil_entry) {
-                    x->a, x->b, grid_from_fraction(x->weight, mask->denominator, g)
+                    x->a, x->b, grid_from_fraction(x->weight, mask->denominator, g),
+                    { x->weight, mask->denominator }
                 };
     }
     out.first[4] = count;

@@ -31,8 +31,7 @@ integer *mask_cell(const struct mask *mask, int a, int b);
 /* The mask with these weights, in a box of the same form as `out` comes with. */
 void mask_set_weights(struct mask *out, const rational *weight);
 
-/* The first condition of lib/scheme.md on masks that does not hold, in words;
- * NULL if all hold. */
+/* The first condition of lib/scheme.md on masks that does not hold, in words; NULL if all hold. */
 const char *mask_fault(const struct mask *mask, enum mesh mesh);
 
 /* Is mask(a,b) = mask(b,a) always? */
@@ -66,6 +65,7 @@ struct points mask_points(const struct mask *mask);
 struct stencil_entry {
     int a, b;
     interval weight;
+    rational exact;                                /* not in lowest terms */
 };
 
 struct stencil {

@@ -2,6 +2,8 @@
 
 #include "polynomial.h"
 
+#include <string.h>
+
 struct polynomial polynomial_make(int degree)
 {
     struct polynomial out = { .degree = degree };
@@ -19,41 +21,34 @@ static struct number dot(const struct number *a, const struct number *b, int str
     struct mark mark = scratch_mark();
     struct number sum = number_from_whole(0);
 
-    for (int j = 0; j < size; j++) {
-        struct number product;
-
-        if (number_is_zero(&a[j]) || number_is_zero(&b[j * stride]))
-            continue;
-        product = number_mul(&a[j], &b[j * stride], k);
-        sum = number_add(&sum, &product);
-    }
+    for (int j = 0; j < size; j++)
+        number_add_product(&sum, &a[j], &b[j * stride], k);
     number_keep(mark, &sum, 1);
     return sum;
 }
 
 /* minus trace(a) / i */
-static struct number next_coefficient(const struct number *a, int size, int i)
+static struct number next_coefficient(const struct number *a, int size, int i,
+                                      const struct field *k)
 {
     struct number sum = number_from_whole(0);
 
     for (int j = 0; j < size; j++)
         sum = number_add(&sum, &a[j * size + j]);
-    return number_scale(rational_from(-1, i), &sum);
+    return number_scale(rational_from(-1, i), &sum, k);
 }
 
 /* A_1 = M, c_i = -trace(A_i)/i, A_(i+1) = M (A_i + c_i): Faddeev and LeVerrier. */
-struct polynomial polynomial_characteristic(const struct exact_matrix *m,
-                                            const struct field *k)
+struct polynomial polynomial_characteristic(const struct exact_matrix *m, const struct field *k)
 {
     int n = m->size;
     size_t cells = (size_t)n * (size_t)n;
     struct polynomial out = polynomial_make(n);
     struct number *a = allocate(cells, sizeof a[0]), *new = allocate(cells, sizeof new[0]);
 
-    for (size_t i = 0; i < cells; i++)
-        a[i] = m->entry[i];
+    memcpy(a, m->entry, cells * sizeof a[0]);
     for (int i = 1; i <= n; i++) {
-        struct number c = next_coefficient(a, n, i);
+        struct number c = next_coefficient(a, n, i, k);
 
         out.coefficient[n - i] = c;
         for (int j = 0; j < n; j++)
@@ -61,8 +56,7 @@ struct polynomial polynomial_characteristic(const struct exact_matrix *m,
         for (int row = 0; row < n; row++)
             for (int j = 0; j < n; j++)
                 new[row * n + j] = dot(&m->entry[row * n], &a[j], n, n, k);
-        for (size_t j = 0; j < cells; j++)
-            a[j] = new[j];
+        memcpy(a, new, cells * sizeof a[0]);
     }
     return out;
 }
@@ -106,8 +100,7 @@ void polynomial_apply(struct number *v, const struct polynomial *p,
     size_t size = (size_t)m->size;
     struct number *z = allocate(size, sizeof z[0]), *new = allocate(size, sizeof new[0]);
 
-    for (size_t i = 0; i < size; i++)
-        z[i] = v[i];
+    memcpy(z, v, size * sizeof z[0]);
     for (int power = p->degree - 1; power >= 0; power--) {
         for (size_t i = 0; i < size; i++) {
             struct number term = number_mul(&p->coefficient[power], &v[i], k);
@@ -115,11 +108,9 @@ void polynomial_apply(struct number *v, const struct polynomial *p,
             new[i] = dot(&m->entry[i * size], z, 1, m->size, k);
             new[i] = number_add(&new[i], &term);
         }
-        for (size_t i = 0; i < size; i++)
-            z[i] = new[i];
+        memcpy(z, new, size * sizeof z[0]);
     }
-    for (size_t i = 0; i < size; i++)
-        v[i] = z[i];
+    memcpy(v, z, size * sizeof v[0]);
     number_keep(mark, v, size);
 }
 

@@ -1,9 +1,8 @@
 /* C1 on the regular complex: section 4 of certificate.md.
  *
- * The norm of s^N is the largest sum of |s^N(x - 2^N y)| over y, for x in the
- * 4^N classes modulo 2^N.  The sums are taken class by class, without forming
- * s^N as a whole.  As an operator, S_s^N has the entries s^N(x - 2^N y); its row
- * x comes from the row of S_s^0 (1 at x, else 0) by N steps
+ * The norm of s^N is the largest sum of |s^N(x - 2^N y)| over y, for x in the 4^N classes modulo
+ * 2^N.  The sums are taken class by class, without forming s^N as a whole.  As an operator, S_s^N
+ * has the entries s^N(x - 2^N y); its row x comes from the row of S_s^0 (1 at x, else 0) by N steps
  *
  *     new(y) = sum over x of old(x) s(x - 2y).
  *
@@ -104,8 +103,7 @@ static bool row_is_small(const integer *row, const struct weights *s, integer bo
 
 /* Are the norms of all rows that come from this one by `left` steps < bound?
  * Rows are times denominator^steps. */
-static bool rows_are_small(const integer *row, int left, const struct weights *s,
-                           integer bound)
+static bool rows_are_small(const integer *row, int left, const struct weights *s, integer bound)
 {
     struct mark mark = scratch_mark();
     bool small = true;
@@ -117,8 +115,7 @@ static bool rows_are_small(const integer *row, int left, const struct weights *s
 
         for (int i = 0; i < s->side * s->side; i++)
             if (row[i].sign != 0)
-                spread(new, row[i], i / s->side + s->low + e % 2,
-                       i % s->side + s->low + e / 2, s);
+                spread(new, row[i], i / s->side + s->low + e % 2, i % s->side + s->low + e / 2, s);
         small = rows_are_small(new, left - 1, s, bound);
         scratch_release(mark);
     }

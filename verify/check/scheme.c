@@ -4,7 +4,6 @@
 
 #include "answer.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum { MAX_NAME = 64, MASK_RADIUS = 8, MASK_SIDE = 2 * MASK_RADIUS + 1,
@@ -16,8 +15,7 @@ struct reader {
 };
 
 /* A statement of the word `first` and something behind it. */
-static struct cursor next_statement(struct reader *r, const char *first,
-                                    const char *expected)
+static struct cursor next_statement(struct reader *r, const char *first, const char *expected)
 {
     struct cursor c;
 
@@ -194,8 +192,7 @@ static void read_sector_point(int *a, int *b, struct cursor *c, enum mesh mesh)
 
 struct mask_reader {
     struct mask mask;
-    rational weight[MASK_SIDE * MASK_SIDE];
-    bool named[MASK_SIDE * MASK_SIDE];
+    rational weight[MASK_SIDE * MASK_SIDE];        /* 0/0: none is named */
     enum mesh mesh;
 };
 
@@ -215,14 +212,12 @@ static void name_point(struct mask_reader *m, int a, int b, bool symmetric, rati
 
     for (int i = 0; i < images; i++) {
         cell[i] = i < turns ? cell_number(m, a, b) : cell_number(m, b, a);
-        if (m->named[cell[i]])
+        if (m->weight[cell[i]].den.sign != 0)
             cursor_error(place, "expected a point that has no weight yet");
         label_rotate(m->mesh, &a, &b);
     }
-    for (int i = 0; i < images; i++) {
-        m->named[cell[i]] = true;
+    for (int i = 0; i < images; i++)
         m->weight[cell[i]] = w;
-    }
 }
 
 static void read_mask_entry(struct mask_reader *m, struct cursor *c, bool symmetric,
@@ -254,8 +249,6 @@ static struct mask read_mask(struct reader *r)
     m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE, MASK_SIDE);
     if (m->mesh == DUAL)                           /* -15/2 .. 15/2: -8 .. 7 */
         m->mask = mask_new(-MASK_RADIUS, -MASK_RADIUS, MASK_SIDE - 1, MASK_SIDE - 1);
-    for (int i = 0; i < MASK_SIDE * MASK_SIDE; i++)
-        m->weight[i] = rational_from(0, 1);
     for (;;) {
         statements_next(&c, &r->s, "expected a point and its weight, or `end`");
         if (cursor_accept_word(&c, "end"))
@@ -264,6 +257,9 @@ static struct mask read_mask(struct reader *r)
     }
     cursor_expect_end(&c);
 
+    for (int i = 0; i < MASK_SIDE * MASK_SIDE; i++)
+        if (m->weight[i].den.sign == 0)
+            m->weight[i] = rational_from(0, 1);
     mask_set_weights(&m->mask, m->weight);
     fault = mask_fault(&m->mask, m->mesh);
     if (fault != NULL)
@@ -292,8 +288,7 @@ static void read_point_source(struct source *out, struct cursor *c, enum mesh me
 }
 
 /* rule->rest: -1 as long as there is none.  Returns the place of the weight. */
-static struct cursor read_source(struct rule *rule, struct cursor *c,
-                                 struct scheme *scheme)
+static struct cursor read_source(struct rule *rule, struct cursor *c, struct scheme *scheme)
 {
     struct language *l = &scheme->language;
     struct source *out = &rule->source[rule->count];
@@ -399,76 +394,60 @@ static void read_mask_and_rules(struct reader *r)
 /* Compositions
  * ------------ */
 
-static struct source source_of(enum source_kind kind, int a, int b,
-                               const struct node *weight)
-{
-    struct source out = { .kind = kind, .a = a, .b = b, .weight = weight };
-
-    return out;
-}
-
 /* The rule of the centre: the old centre, all (1,0), and the rest to all (1,1);
  * or, without weights, all to all (1,1). */
 static const struct rule *centre_rule(const struct node *own, const struct node *edges)
 {
+    const struct source source[3] = { { .kind = SOURCE_CENTRE, .weight = own },
+                                      { .kind = SOURCE_ALL, .a = 1, .weight = edges },
+                                      { .kind = SOURCE_ALL, .a = 1, .b = 1 } };
     struct rule *out = allocate(1, sizeof *out);
 
     out->centre = true;
-    if (own != NULL) {
-        out->source[out->count++] = source_of(SOURCE_CENTRE, 0, 0, own);
-        out->source[out->count++] = source_of(SOURCE_ALL, 1, 0, edges);
-    }
-    out->rest = out->count;
-    out->source[out->count++] = source_of(SOURCE_ALL, 1, 1, NULL);
+    out->rest = own == NULL ? 0 : 2;
+    out->count = out->rest + 1;
+    memcpy(out->source, &source[2 - out->rest], (size_t)out->count * sizeof source[0]);
     return out;
 }
 
-/* The mask on the square of this side whose lowest label is (low, low). */
-static struct mask square_mask(int low, int side, const rational *weight)
+/* The mask is on the square of this side whose lowest label is (low, low). */
+static struct step make_step(enum mesh old, enum mesh new, int dilation, int low, int side,
+                             const rational *weight, const struct rule *rule)
 {
-    struct mask out = mask_new(low, low, side, side);
+    struct step out = { .old = old, .new = new, .dilation = dilation,
+                        .mask = mask_new(low, low, side, side),
+                        .rules = rule == NULL ? 0 : 1, .rule = rule };
 
-    mask_set_weights(&out, weight);
+    mask_set_weights(&out.mask, weight);
     return out;
 }
 
 static struct step refine_step(enum mesh old)
 {
     rational w[9];
-    struct step out = { .old = old, .new = QUAD, .dilation = 2 };
 
     for (int i = 0; i < 9; i++)                    /* 1 = 4/4, 1/2 = 2/4, 1/4 */
         w[i] = rational_from((i % 3 == 1 ? 2 : 1) * (i / 3 == 1 ? 2 : 1), 4);
-    out.mask = square_mask(old == DUAL ? -2 : -1, 3, w);
-    if (old == DUAL) {
-        out.rules = 1;
-        out.rule = centre_rule(NULL, NULL);
-    }
-    return out;
+    return make_step(old, QUAD, 2, old == DUAL ? -2 : -1, 3, w,
+                     old == DUAL ? centre_rule(NULL, NULL) : NULL);
 }
 
 static struct step smooth_step(rational own, rational edges, const struct node *at_centre[2])
 {
     rational diagonals = rational_sub(rational_sub(rational_from(1, 1), own), edges);
     rational four = rational_from(4, 1), w[9];
-    struct step out = { .old = QUAD, .new = QUAD, .dilation = 1, .rules = 1 };
 
     for (int i = 0; i < 9; i++)
         w[i] = rational_divide(i % 2 == 0 ? diagonals : edges, four);
     w[4] = own;
-    out.mask = square_mask(-1, 3, w);
-    out.rule = centre_rule(at_centre[0], at_centre[1]);
-    return out;
+    return make_step(QUAD, QUAD, 1, -1, 3, w, centre_rule(at_centre[0], at_centre[1]));
 }
 
 static struct step average_step(void)
 {
-    rational quarter = rational_from(1, 4);
-    rational w[4] = { quarter, quarter, quarter, quarter };
-    struct step out = { .old = QUAD, .new = DUAL, .dilation = 1 };
+    rational quarter = rational_from(1, 4), w[4] = { quarter, quarter, quarter, quarter };
 
-    out.mask = square_mask(0, 2, w);
-    return out;
+    return make_step(QUAD, DUAL, 1, 0, 2, w, NULL);
 }
 
 static struct node *number_node(rational q)
@@ -502,8 +481,7 @@ static void read_smooth(struct reader *r, struct cursor *c)
     if (cursor_accept_word(c, "repeat")) {
         rational q = read_rational(c, l);
 
-        if (!rational_is_whole(q) || q.num.sign < 0 ||
-            !integer_get_small(&times, q.num, MAX_STEPS))
+        if (!rational_is_whole(q) || q.num.sign < 0 || !integer_get_small(&times, q.num, MAX_STEPS))
             cursor_error(&place, "expected a whole number of repetitions, at most 34");
         cursor_expect(c, ':', "expected `:`");
     }

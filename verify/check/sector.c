@@ -1,5 +1,4 @@
-/* Sector nets and the blocks of the subdivision matrix: section 5 of
- * certificate.md. */
+/* Sector nets and the blocks of the subdivision matrix: section 5 of certificate.md. */
 
 #include "sector.h"
 
@@ -11,6 +10,11 @@
 struct affine pair_norm(struct pair v, int g)
 {
     return affine_add(affine_mul(v.x, v.x, g), affine_mul(v.y, v.y, g));
+}
+
+struct pair pair_add(struct pair v, struct pair w)
+{
+    return (struct pair) { affine_add(v.x, w.x), affine_add(v.y, w.y) };
 }
 
 struct pair pair_divide(struct pair v, struct pair w, int g)
@@ -131,171 +135,216 @@ static size_t cell(const struct net *net, int a, int b)
     return (size_t)i * (size_t)side(net) + (size_t)j;
 }
 
-struct net net_make(enum mesh mesh, int rings)
+struct net net_of(const struct arithmetic *of, enum mesh mesh, int rings)
 {
-    struct net out = { .mesh = mesh, .rings = rings };
+    struct net out = { .of = of, .mesh = mesh, .rings = rings };
     size_t cells = (size_t)side(&out) * (size_t)side(&out);
 
-    out.value = allocate(cells, sizeof out.value[0]);
+    out.value = allocate(cells, of->size);
     out.known = allocate(cells, sizeof out.known[0]);
-    memset(&out.centre, 0, sizeof out.centre);     /* zeroed memory is 0 */
     return out;
 }
 
-void net_set(struct net *net, int a, int b, struct pair value)
+void *net_add(struct net *net, int a, int b)
 {
     size_t i = cell(net, a, b);
 
-    net->value[i] = value;
     net->known[i] = true;
+    return net->value + i * net->of->size;
 }
 
-struct pair net_value(const struct net *net, const struct block *block, int a, int b)
+const void *net_find(const struct net *net, const struct block *block, int a, int b)
 {
-    size_t here = cell(net, a, b);
+    size_t i = cell(net, a, b);
+    void *here = net->value + i * net->of->size;
     enum place place;
-    struct pair out;
 
-    if (net->known[here])
-        return net->value[here];
+    if (net->known[i])
+        return here;
     place = label_turn(net->mesh, &a, &b);
-    if (place == CENTRE)
-        return net->centre;
-    if (place == IN_SECTOR) {
-        if (label_ring(net->mesh, a, b) > net->rings)
-            cannot_check("the checker looks for a point outside of its net");
-        return net->value[here];                   /* 0 */
-    }
+    if (place == IN_SECTOR && label_ring(net->mesh, a, b) > net->rings)
+        cannot_check("the checker looks for a point outside of its net");
+    if (place == IN_SECTOR || place == CENTRE)
+        return here;                               /* 0 */
     if (place == OPPOSITE && valence_is_regular(block->v)) {
         label_from_next(net->mesh, &a, &b);
         place = BEHIND;
     }
     if (place == OPPOSITE)
         cannot_check("a rule uses a point opposite to its sector");
-    out = net_value(net, block, a, b);
+    memcpy(here, net_find(net, block, a, b), net->of->size);
     if (!block->plain)
-        out = apply_matrix(place == BEHIND ? block->turn : block->back, out, block->v->g);
-    net->value[here] = out;
-    net->known[here] = true;
+        net->of->turn(here, place == BEHIND, block);
+    net->known[i] = true;
+    return here;
+}
+
+/* Of the net before the step `first`, for j rings of the last one; needed(j) if first = 0. */
+static int rings_needed(const struct scheme *scheme, int first, int j)
+{
+    for (int i = scheme->steps - 1; i >= first; i--)
+        j = step_needs(&scheme->step[i], j);
+    return j;
+}
+
+/* R.  Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
+ * 33 rings before the first one halves. */
+static int rings_of_unknowns(const struct scheme *scheme)
+{
+    int out = 1;
+
+    for (int j = 200; j >= 1; j--)
+        if (rings_needed(scheme, 0, j) >= j && j > out)
+            out = j;
+    while (rings_needed(scheme, 0, out) > out)
+        out++;
     return out;
 }
 
 /* New values
  * ---------- */
 
-static void add_pair(struct pair *sum, struct pair term)
-{
-    sum->x = affine_add(sum->x, term.x);
-    sum->y = affine_add(sum->y, term.y);
-}
-
-static struct pair zero_pair(void)
-{
-    struct affine zero = affine_from(interval_thin(integer_from(0)));
-
-    return (struct pair) { zero, zero };
-}
-
-static struct pair value_by_rule(const struct net *old, const struct block *block,
-                                 const struct block_rule *rule)
-{
-    struct pair sum = zero_pair();
-    int g = block->v->g;
-
-    for (int i = 0; i < rule->terms; i++) {
-        const struct term *t = &rule->term[i];
-        struct pair v = t->source->kind == SOURCE_CENTRE
-                      ? old->centre
-                      : net_value(old, block, t->source->a, t->source->b);
-
-        if (block->has_y)
-            add_pair(&sum, apply_matrix(t->m, v, g));
-        else
-            sum.x = affine_add(sum.x, affine_mul(t->m[0], v.x, g));
-    }
-    return sum;
-}
-
-static struct pair value_by_mask(const struct net *old, const struct block *block,
-                                 const struct stencil *s, int a, int b)
-{
-    struct pair sum = zero_pair();
-    int class = stencil_class(s, a, b), g = block->v->g;
-
-    for (int i = s->first[class]; i < s->first[class + 1]; i++) {
-        const struct stencil_entry *e = &s->entry[i];
-        struct pair v = net_value(old, block, (a - e->a) / s->dilation,
-                                  (b - e->b) / s->dilation);
-
-        affine_add_multiple(&sum.x, e->weight, &v.x, g);
-        if (block->has_y)
-            affine_add_multiple(&sum.y, e->weight, &v.y, g);
-    }
-    return sum;
-}
-
-/* Without a rule the centre is multiplied by mask(0,0), and no other weight of the
- * mask may reach it. */
-static struct pair centre_by_mask(const struct net *old, const struct block *block,
-                                  const struct stencil *s)
-{
-    struct pair out = zero_pair();
-
-    for (int i = s->first[0]; i < s->first[1]; i++) {
-        if (s->entry[i].a != 0 || s->entry[i].b != 0)
-            cannot_check("the centre has no rule, and the mask does not give it its "
-                         "old value");
-        out.x = affine_scale(s->entry[i].weight, old->centre.x, block->v->g);
-        out.y = affine_scale(s->entry[i].weight, old->centre.y, block->v->g);
-    }
-    return out;
-}
-
-static struct pair new_value(const struct net *old, const struct block *block, int step,
-                             bool centre, int a, int b)
+/* Without a rule no weight of the mask but that of (0,0) may reach the centre. */
+static void find_new_value(void *sum, const struct net *old, const struct block *block, int step,
+                           bool centre, int a, int b)
 {
     const struct active_step *active = &block->v->step[step];
     const struct active_rule *rule = valence_rule(active, centre, a, b);
+    const struct block_rule *r = rule == NULL ? NULL : &block->rule[step][rule - active->rule];
+    const struct stencil *s = &active->stencil;
+    int class = stencil_class(s, a, b);
 
-    if (rule != NULL)
-        return value_by_rule(old, block, &block->rule[step][rule - active->rule]);
-    if (centre)
-        return centre_by_mask(old, block, &active->stencil);
-    return value_by_mask(old, block, &active->stencil, a, b);
+    for (int i = 0; r != NULL && i < r->terms; i++)
+        old->of->add_term(sum, &r->term[i], net_find(old, block, r->term[i].source->a,
+                                                     r->term[i].source->b), block);
+    for (int i = s->first[class]; r == NULL && i < s->first[class + 1]; i++) {
+        const struct stencil_entry *e = &s->entry[i];
+
+        if (centre && (e->a != 0 || e->b != 0))
+            cannot_check("the centre has no rule, and the mask does not give it its old value");
+        old->of->add_entry(sum, e, net_find(old, block, (a - e->a) / s->dilation,
+                                            (b - e->b) / s->dilation), block);
+    }
+    if (old->of->finish != NULL)
+        old->of->finish(sum, block);
 }
 
-static struct net apply_step(const struct net *old, const struct block *block, int step,
-                             int rings)
+static struct net apply_step(const struct net *old, const struct block *block, int step, int rings)
 {
     enum mesh mesh = block->v->step[step].step->new;
-    struct net out = net_make(mesh, rings);
+    struct net out = net_of(old->of, mesh, rings);
 
     if (block->plain && mesh != DUAL)
-        out.centre = new_value(old, block, step, true, 0, 0);
+        find_new_value(net_add(&out, 0, 0), old, block, step, true, 0, 0);
     for (int a = 1; a <= rings; a++)
         for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++)
-            net_set(&out, a, b, new_value(old, block, step, false, a, b));
+            find_new_value(net_add(&out, a, b), old, block, step, false, a, b);
     return out;
 }
 
 struct net net_subdivide(const struct net *old, const struct block *block, int rings)
 {
     const struct scheme *scheme = block->v->scheme;
-    int needs[MAX_STEPS + 1];
     struct net net = *old;
 
-    scheme_list_needs(needs, scheme, rings);
     for (int i = 0; i < scheme->steps; i++)
-        net = apply_step(&net, block, i, needs[i + 1]);
+        net = apply_step(&net, block, i, rings_needed(scheme, i + 1, rings));
     return net;
+}
+
+struct net net_extend(const struct net *old, const struct block *block, struct pair l, int rings)
+{
+    enum mesh mesh = old->mesh;
+    struct net out;
+
+    while (rings_needed(block->v->scheme, 0, rings) > old->rings)
+        rings--;
+    if (rings <= old->rings)
+        cannot_check("the checker cannot extend the characteristic net");
+    out = net_subdivide(old, block, rings);
+    if (block->plain && mesh != DUAL)
+        memcpy(net_add(&out, 0, 0), net_find(old, block, 0, 0), old->of->size);
+    for (int a = 1; a <= rings; a++) {
+        for (int b = mesh == DUAL ? 1 : 0; label_ring(mesh, a, b) <= rings; b++) {
+            void *here = net_add(&out, a, b);
+
+            if (label_ring(mesh, a, b) <= old->rings)
+                memcpy(here, net_find(old, block, a, b), old->of->size);
+            else
+                old->of->divide(here, l, block);
+        }
+    }
+    return out;
+}
+
+/* Nets of affine numbers
+ * ---------------------- */
+
+static void turn_pair(void *v, bool behind, const struct block *block)
+{
+    struct pair *out = v;
+
+    *out = apply_matrix(behind ? block->turn : block->back, *out, block->v->g);
+}
+
+static void add_pair_term(void *sum, const struct term *t, const void *v, const struct block *block)
+{
+    const struct pair *old = v;
+    struct pair *out = sum;
+    int g = block->v->g;
+
+    if (block->has_y)
+        *out = pair_add(*out, apply_matrix(t->m, *old, g));
+    else
+        out->x = affine_add(out->x, affine_mul(t->m[0], old->x, g));
+}
+
+static void add_pair_entry(void *sum, const struct stencil_entry *e, const void *v,
+                           const struct block *block)
+{
+    const struct pair *old = v;
+    struct pair *out = sum;
+
+    affine_add_multiple(&out->x, e->weight, &old->x, block->v->g);
+    if (block->has_y)
+        affine_add_multiple(&out->y, e->weight, &old->y, block->v->g);
+}
+
+static void divide_pair(void *v, struct pair l, const struct block *block)
+{
+    struct pair *out = v;
+
+    if (!block->real && block->has_y) {
+        *out = pair_divide(*out, l, block->v->g);
+        return;
+    }
+    out->x = affine_div(out->x, l.x, block->v->g);
+    out->y = affine_div(out->y, l.x, block->v->g);
+}
+
+static const struct arithmetic AFFINE = { sizeof(struct pair), turn_pair, add_pair_term,
+                                          add_pair_entry, NULL, divide_pair };
+
+struct net net_make(enum mesh mesh, int rings)
+{
+    return net_of(&AFFINE, mesh, rings);
+}
+
+void net_set(struct net *net, int a, int b, struct pair value)
+{
+    *(struct pair *)net_add(net, a, b) = value;
+}
+
+struct pair net_value(const struct net *net, const struct block *block, int a, int b)
+{
+    return *(const struct pair *)net_find(net, block, a, b);
 }
 
 /* Rules at these frequencies
  * -------------------------- */
 
 /* m = W T^s */
-static void power_matrix(struct affine m[4], interval w, int sectors,
-                         const struct block *block)
+static void power_matrix(struct affine m[4], interval w, int sectors, const struct block *block)
 {
     int g = block->v->g, turns = sectors < 0 ? -sectors : sectors;
     struct affine one = affine_from_whole(1, g), zero = affine_from_whole(0, g);
@@ -314,8 +363,7 @@ static void power_matrix(struct affine m[4], interval w, int sectors,
 }
 
 /* m = sum of W_j T_j */
-static void each_matrix(struct affine m[4], const interval *each,
-                        const struct block *block)
+static void each_matrix(struct affine m[4], const interval *each, const struct block *block)
 {
     const struct valence *v = block->v;
     interval h = grid_sin_pi(rational_from(block->m.first, v->k.first), v->g);
@@ -351,12 +399,10 @@ static interval formula_at(const struct node *formula, const struct environment 
 }
 
 /* m = (R, -I; I, R).  I counts as 0 at m = k/2. */
-static void spectrum_matrix(struct affine m[4], const struct source *s,
-                            const struct block *block)
+static void spectrum_matrix(struct affine m[4], const struct source *s, const struct block *block)
 {
     const struct valence *v = block->v;
-    struct environment e =
-        environment_make(&v->scheme->language, v->k, block->m, NOTHING, v->g);
+    struct environment e = environment_make(&v->scheme->language, v->k, block->m, NOTHING, v->g);
     struct affine r = affine_from(formula_at(s->weight, &e, v));
     struct affine i = affine_from_whole(0, v->g);
 
@@ -369,8 +415,7 @@ static void spectrum_matrix(struct affine m[4], const struct source *s,
 }
 
 /* False if the source contributes nothing. */
-static bool make_term(struct term *out, const struct weighted *w,
-                      const struct block *block)
+static bool make_term(struct term *out, const struct weighted *w, const struct block *block)
 {
     struct affine zero = affine_from_whole(0, block->v->g);
 
@@ -420,42 +465,9 @@ static void prepare_rules(struct block *out)
 /* Unknowns
  * -------- */
 
-void scheme_list_needs(int needs[MAX_STEPS + 1], const struct scheme *scheme, int j)
-{
-    needs[scheme->steps] = j;
-    for (int i = scheme->steps - 1; i >= 0; i--)
-        needs[i] = step_needs(&scheme->step[i], needs[i + 1]);
-}
-
-int scheme_needs(const struct scheme *scheme, int j)
-{
-    int needs[MAX_STEPS + 1];
-
-    scheme_list_needs(needs, scheme, j);
-    return needs[0];
-}
-
-/* Beyond 200 needed(j) < j: rules name rings up to 16, and the other steps add up to
- * 33 rings before the first one halves. */
-int scheme_rings(const struct scheme *scheme)
-{
-    int out = 1;
-
-    for (int j = 200; j >= 1; j--)
-        if (scheme_needs(scheme, j) >= j && j > out)
-            out = j;
-    while (scheme_needs(scheme, out) > out)
-        out++;
-    return out;
-}
-
 static void add_unknown(struct block *out, int a, int b, enum unknown_kind kind)
 {
-    struct unknown *unknown = &out->unknown[out->n++];
-
-    unknown->a = a;
-    unknown->b = b;
-    unknown->kind = kind;
+    out->unknown[out->n++] = (struct unknown) { a, b, kind };
 }
 
 static void add_unknowns_at(struct block *out, int a, int b)
@@ -481,7 +493,7 @@ static void list_unknowns(struct block *out)
     out->unknown = allocate((size_t)(out->rings + 1) * (size_t)(out->rings + 1) * 2,
                             sizeof out->unknown[0]);
     if (out->plain && mesh != DUAL)
-        add_unknown(out, 0, 0, UNKNOWN_CENTRE);
+        add_unknown(out, 0, 0, UNKNOWN_PLAIN);
     for (int ring = 1; ring <= out->rings; ring++)
         for (int b = mesh == DUAL ? 1 : 0; b <= ring; b++)
             for (int a = ring; a >= 1; a--)
@@ -489,49 +501,33 @@ static void list_unknowns(struct block *out)
                     add_unknowns_at(out, a, b);
 }
 
-void net_set_unknowns(struct net *out, const struct block *block,
-                      const struct affine *unknowns)
+void net_set_unknowns(struct net *out, const struct block *block, const struct affine *unknowns)
 {
     struct affine zero = affine_from_whole(0, block->v->g);
     int g = block->v->g;
 
     for (int i = 0; i < block->n; i++) {
-        int a = block->unknown[i].a, b = block->unknown[i].b;
+        const struct unknown *at = &block->unknown[i];
         struct pair value = { unknowns[i], zero };
 
         if (block->has_y && !block->real)
             value.y = unknowns[i + block->n];
-        switch (block->unknown[i].kind) {
-        case UNKNOWN_CENTRE:
-            out->centre = value;
-            break;
-        case UNKNOWN_PLAIN:
-        case UNKNOWN_SPOKE:
-        case UNKNOWN_COMPLEX:
-            net_set(out, a, b, value);
-            break;
-        case UNKNOWN_BISECTOR:
-            value.x = affine_mul(block->u, unknowns[i], g);
-            value.y = unknowns[i];
-            net_set(out, a, b, value);
-            break;
-        case UNKNOWN_X:                            /* UNKNOWN_Y is unknown i + 1 */
+        if (at->kind == UNKNOWN_BISECTOR)
+            value = (struct pair) { affine_mul(block->u, unknowns[i], g), unknowns[i] };
+        if (at->kind == UNKNOWN_X)                 /* UNKNOWN_Y is unknown i + 1 */
             value.y = unknowns[i + 1];
-            net_set(out, a, b, value);
-            value.y = affine_minus(value.y);       /* V(b,a) = T (x, -y) */
-            net_set(out, b, a, apply_matrix(block->turn, value, g));
-            break;
-        case UNKNOWN_Y:
-            break;
-        }
+        if (at->kind != UNKNOWN_Y)
+            net_set(out, at->a, at->b, value);
+        value.y = affine_minus(value.y);
+        if (at->kind == UNKNOWN_X)                 /* V(b,a) = T (x, -y) */
+            net_set(out, at->b, at->a, apply_matrix(block->turn, value, g));
     }
 }
 
 /* Blocks
  * ------ */
 
-static void begin_block(struct block *out, const struct valence *v, bool real,
-                        struct span m)
+static void begin_block(struct block *out, const struct valence *v, bool real, struct span m)
 {
     memset(out, 0, sizeof *out);
     out->v = v;
@@ -539,7 +535,7 @@ static void begin_block(struct block *out, const struct valence *v, bool real,
     out->plain = m.first == 0;
     out->has_y = !out->plain;
     out->real = real && !out->plain;
-    out->rings = scheme_rings(v->scheme);
+    out->rings = rings_of_unknowns(v->scheme);
 }
 
 /* The rest, once T is known. */
@@ -560,8 +556,7 @@ void block_prepare(struct block *out, const struct valence *v, bool real, struct
     finish_block(out);
 }
 
-void block_prepare_over(struct block *out, const struct valence *v, struct span m,
-                        struct affine u)
+void block_prepare_over(struct block *out, const struct valence *v, struct span m, struct affine u)
 {
     begin_block(out, v, true, m);
     turn_by_u(out, u);
@@ -569,12 +564,10 @@ void block_prepare_over(struct block *out, const struct valence *v, struct span 
 }
 
 /* The value of a net at an unknown; `second`: the imaginary part. */
-static struct affine read_off(const struct net *net, const struct block *block, int i,
-                         bool second)
+static struct affine read_off(const struct net *net, const struct block *block, int i, bool second)
 {
     const struct unknown *unknown = &block->unknown[i];
-    struct pair v = unknown->kind == UNKNOWN_CENTRE
-                  ? net->centre : net_value(net, block, unknown->a, unknown->b);
+    struct pair v = net_value(net, block, unknown->a, unknown->b);
 
     if (unknown->kind == UNKNOWN_BISECTOR || unknown->kind == UNKNOWN_Y || second)
         return v.y;

@@ -16,6 +16,8 @@ struct pair {
     struct affine x, y;
 };
 
+struct pair pair_add(struct pair v, struct pair w);
+
 /* v / w, both standing for x + i y; |w|^2 must not contain 0. */
 struct pair pair_divide(struct pair v, struct pair w, int g);
 
@@ -32,13 +34,32 @@ void label_from_before(enum mesh mesh, int *a, int *b);
 /* BEHIND (T V) and BEFORE (T^-1 V): the label is turned by one sector. */
 enum place label_turn(enum mesh mesh, int *a, int *b);
 
-/* Values on the rings 1..rings of the sector and, found by rotation when they are
- * first asked for, on the labels of the plane round it. */
+struct block;
+struct term;
+
+/* What a net's values are, of the block: numbers that zeroed memory makes 0. */
+struct arithmetic {
+    size_t size;
+    void (*turn)(void *v, bool behind, const struct block *block);     /* T v; T^-1 v */
+
+    /* The sum gets a source of a rule, or a point of the mask, whose value is v; (or NULL:) and
+     * what is done with the sum of all. */
+    void (*add_term)(void *sum, const struct term *t, const void *v, const struct block *block);
+    void (*add_entry)(void *sum, const struct stencil_entry *e, const void *v,
+                      const struct block *block);
+    void (*finish)(void *sum, const struct block *block);
+
+    /* v := v / l, the eigenvalue; NULL where no net is extended. */
+    void (*divide)(void *v, struct pair l, const struct block *block);
+};
+
+/* Values on the rings 1..rings of the sector, at the centre (0,0) if there is one, and, found by
+ * rotation when they are first asked for, on the labels of the plane round it. */
 struct net {
+    const struct arithmetic *of;
     enum mesh mesh;
     int rings;
-    struct pair centre;
-    struct pair *value;
+    unsigned char *value;
     bool *known;
 };
 
@@ -46,7 +67,6 @@ struct net {
 struct unknown {
     int a, b;
     enum unknown_kind {
-        UNKNOWN_CENTRE,                            /* m = 0: the centre */
         UNKNOWN_PLAIN,                             /* m = 0: the value */
         UNKNOWN_COMPLEX,                           /* x + i y */
         UNKNOWN_SPOKE,                             /* b = 0: x */
@@ -59,6 +79,7 @@ struct unknown {
 struct term {
     const struct source *source;
     struct affine m[4];                            /* m0 m1; m2 m3 */
+    const void *own;                               /* its weight, for other arithmetics */
 };
 
 struct block_rule {
@@ -78,23 +99,14 @@ struct block {
     int n;                                         /* number of unknowns */
     int size;                                      /* of the real matrix: N */
     struct unknown *unknown;
+    void *own;                                     /* what other arithmetics need */
 };
-
-/* R of a scheme. */
-int scheme_rings(const struct scheme *scheme);
-
-/* The rings that the old net of each step needs for those up to j of the last one. */
-void scheme_list_needs(int needs[MAX_STEPS + 1], const struct scheme *scheme, int j);
-
-/* needed(j) of a scheme. */
-int scheme_needs(const struct scheme *scheme, int j);
 
 /* The block of the frequencies m. */
 void block_prepare(struct block *out, const struct valence *v, bool real, struct span m);
 
 /* The same in the real form, for u in place of what follows from k and m. */
-void block_prepare_over(struct block *out, const struct valence *v, struct span m,
-                        struct affine u);
+void block_prepare_over(struct block *out, const struct valence *v, struct span m, struct affine u);
 
 /* M: size x size, row by row. */
 struct affine *block_matrix(const struct block *block);
@@ -107,13 +119,22 @@ void net_set(struct net *net, int a, int b, struct pair value);
 
 /* Sets the values on the rings 1..R (and the centre) from the unknowns (complex
  * form: real parts, then imaginary parts). */
-void net_set_unknowns(struct net *out, const struct block *block,
-                      const struct affine *unknowns);
+void net_set_unknowns(struct net *out, const struct block *block, const struct affine *unknowns);
 
 /* V(a,b) for any label of the plane that is not opposite. */
 struct pair net_value(const struct net *net, const struct block *block, int a, int b);
 
+/* The same for values of any kind: a net of zeros, the place of a value that is set by that, and
+ * the value of a label. */
+struct net net_of(const struct arithmetic *of, enum mesh mesh, int rings);
+void *net_add(struct net *net, int a, int b);
+const void *net_find(const struct net *net, const struct block *block, int a, int b);
+
 /* The net after one subdivision, on the rings 1..rings. */
 struct net net_subdivide(const struct net *old, const struct block *block, int rings);
+
+/* The net of an eigenvector, at l, with that many rings or as many as follow from those of the old
+ * one: V = (new value)/l, as V is an eigenvector of the scheme on the whole complex. */
+struct net net_extend(const struct net *old, const struct block *block, struct pair l, int rings);
 
 #endif

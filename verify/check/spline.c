@@ -1,9 +1,6 @@
-/* Limits that are polynomials on elements: section 7 of certificate.md,
- * "Coefficients". */
+/* Limits that are polynomials on elements: section 7 of certificate.md, "Coefficients". */
 
 #include "spline.h"
-
-#include "answer.h"
 
 enum { MAX_QUAD = 16, MAX_TRIANGLE = 17 };
 

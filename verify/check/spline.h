@@ -1,8 +1,7 @@
 #ifndef CHECK_SPLINE_H
 #define CHECK_SPLINE_H
 
-/* Limits that are polynomials on elements: section 7 of certificate.md,
- * "Coefficients". */
+/* Limits that are polynomials on elements: section 7 of certificate.md, "Coefficients". */
 
 #include "element.h"
 #include "sector.h"
@@ -19,10 +18,9 @@ bool spline_find(struct spline *out, const struct mask *mask, enum mesh mesh);
 /* That of q_1 (direction 0) or q_2 (direction 1). */
 struct spline spline_derivative(const struct spline *s, int direction);
 
-/* The polynomials that the labels of a window contribute to an element, on the grid.
- * A homogeneous polynomial in w0, w1, w2 of degree D has its coefficient of
- * w0^(D-i-j) w1^i w2^j at (i,j), one in s, t and s', t' that of s^. t^i s'^. t'^j.  sides:
- * how many i and j there are. */
+/* The polynomials that the labels of a window contribute to an element, on the grid.  A homogeneous
+ * polynomial in w0, w1, w2 of degree D has its coefficient of w0^(D-i-j) w1^i w2^j at (i,j), one in
+ * s, t and s', t' that of s^. t^i s'^. t'^j.  sides: how many i and j there are. */
 struct basis {
     bool triangular;
     int side_a, side_b;

@@ -1,10 +1,8 @@
-/* The constants K: lib/stability.md, section 3, in the arithmetic of "Rounded
- * rows".
+/* The constants K: lib/stability.md, section 3, in the arithmetic of "Rounded rows".
  *
- * Row x of S^n is kept for the 4^n labels x with coordinates in [0, 2^n); the row of
- * r + 2^n t is that of r, moved by t.  With all points of the mask in [l, u] (each
- * coordinate), the row of such an x has entries at y with x - 2^n y in (2^n - 1) [l, u],
- * so from -max(u, 0) to max(-l, 0).
+ * Row x of S^n is kept for the 4^n labels x with coordinates in [0, 2^n); the row of r + 2^n t is
+ * that of r, moved by t.  With all points of the mask in [l, u] (each coordinate), the row of such
+ * an x has entries at y with x - 2^n y in (2^n - 1) [l, u], so from -max(u, 0) to max(-l, 0).
  */
 
 #include "regular.h"
@@ -129,15 +127,19 @@ static bool truncate_row(int64_t *m, int size)
     return lost;
 }
 
+static void check_sums(const struct rows *r, int64_t factor)
+{
+    if (r->bound > MAX_SUM / 4 / factor || r->error > r->bound)
+        cannot_check("sums beyond 2^62 in the proof of a mask's stability");
+}
+
 static struct rows next_rows(const struct rows *old, const struct rounded *s)
 {
     struct rows out = rows_new(s, old->n + 1);
     int64_t unit = INT64_C(1) << WEIGHT_BITS;
     bool lost = false;
 
-    if (old->bound > MAX_SUM / 4 / (s->greatest_sum + s->inexact + 1) ||
-        old->error > old->bound)
-        cannot_check("sums beyond 2^62 in the proof of a mask's stability");
+    check_sums(old, s->greatest_sum + s->inexact + 1);
     for (int a = 0; a < 1 << out.n; a++) {
         for (int b = 0; b < 1 << out.n; b++) {
             int64_t *m = row(&out, a, b);
@@ -272,8 +274,7 @@ bool stability_holds(const struct mask *mask, int n, int64_t t)
     r.bound = INT64_C(1) << ROW_BITS;
     for (int i = 0; i < n; i++)
         r = next_rows(&r, &s);
-    if (r.bound > MAX_SUM / 4 / t || r.error > r.bound)
-        cannot_check("sums beyond 2^62 in the proof of a mask's stability");
+    check_sums(&r, t);
     good = all_are_good(&close);
     scratch_release(mark);
     return good;

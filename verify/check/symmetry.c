@@ -26,8 +26,7 @@ static bool is_constant(rational *out, const struct node *f, const struct langua
     struct environment e;
     struct value v;
 
-    if (f->meaning != 0 || f->kind == NODE_AND || f->kind == NODE_OR ||
-        f->kind == NODE_COMPARISON)
+    if (f->meaning != 0 || f->kind == NODE_AND || f->kind == NODE_OR || f->kind == NODE_COMPARISON)
         return false;
     e = environment_plain(l, CONSTANT_GRID);
     v = evaluate(f, &e);
@@ -35,8 +34,7 @@ static bool is_constant(rational *out, const struct node *f, const struct langua
     return v.kind == RATIONAL;
 }
 
-static bool same_formula(const struct node *f, const struct node *g,
-                         const struct language *l)
+static bool same_formula(const struct node *f, const struct node *g, const struct language *l)
 {
     const struct node *x, *y;
     rational p, q;
@@ -56,8 +54,7 @@ static bool same_formula(const struct node *f, const struct node *g,
 }
 
 /* Both may be missing. */
-static bool same_optional(const struct node *f, const struct node *g,
-                          const struct language *l)
+static bool same_optional(const struct node *f, const struct node *g, const struct language *l)
 {
     return f == NULL || g == NULL ? f == g : same_formula(f, g, l);
 }
@@ -199,18 +196,19 @@ static bool is_image(const struct source *s, const struct source *t, const struc
     reflect(mesh, &a, &b);
     if (s->kind != t->kind || !same_optional(s->weight, t->weight, l))
         return false;
-    switch (s->kind) {
-    case SOURCE_CENTRE:
+    if (s->kind == SOURCE_CENTRE)
         return true;
+    if (t->a != a || t->b != b)
+        return false;
+    switch (s->kind) {
     case SOURCE_ALL:
-        return t->a == a && t->b == b;
+        return true;
     case SOURCE_ONE:
-        return t->a == a && t->b == b && same_sector(rule, t->sectors, sectors);
+        return same_sector(rule, t->sectors, sectors);
     case SOURCE_EACH:
-        return t->a == a && t->b == b && spoke == rule_on_spoke && is_even(s->weight, l);
+        return spoke == rule_on_spoke && is_even(s->weight, l);
     default:
-        return t->a == a && t->b == b && spoke == rule_on_spoke &&
-               s->imaginary == NULL && t->imaginary == NULL;
+        return spoke == rule_on_spoke && s->imaginary == NULL && t->imaginary == NULL;
     }
 }
 

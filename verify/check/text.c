@@ -21,10 +21,10 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
     text = allocate(capacity, 1);
     for (;;) {
         used += fread(text + used, 1, capacity - 1 - used, file);
-        if (used < capacity - 1)
-            break;
         if (used > limit)
             cannot_check("%s: the file has more than %zu bytes", name, limit);
+        if (used < capacity - 1)
+            break;
 
         char *larger = allocate(2 * capacity, 1);
 
@@ -35,8 +35,6 @@ char *text_read_file(const char *name, size_t limit, size_t *size)
     if (ferror(file) != 0)
         cannot_check("%s: the file cannot be read", name);
     fclose(file);
-    if (used > limit)
-        cannot_check("%s: the file has more than %zu bytes", name, limit);
     text[used] = '\0';
     *size = used;
     return text;
@@ -68,8 +66,7 @@ static void check_byte(const char *file, int line, int column, char c)
         cannot_check_at(file, line, column, "expected a line of at most %d bytes", MAX_LINE);
 }
 
-char *text_canonical(const char *file, const char *text, size_t size,
-                     size_t *canonical_size)
+char *text_canonical(const char *file, const char *text, size_t size, size_t *canonical_size)
 {
     size_t used = 0, line_start = 0;
     bool in_comment = false, blank = false;
@@ -129,13 +126,11 @@ bool statements_more(struct cursor *out, struct statements *s)
     return false;
 }
 
-void statements_next(struct cursor *out, struct statements *s,
-                     const char *expected)
+void statements_next(struct cursor *out, struct statements *s, const char *expected)
 {
     if (statements_more(out, s))
         return;
-    cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file",
-                    expected);
+    cannot_check_at(s->file, s->line + 1, 1, "%s, not the end of the file", expected);
 }
 
 /* Tokens
@@ -146,8 +141,7 @@ noreturn void cursor_error(const struct cursor *c, const char *message)
     struct cursor here = *c;
 
     cursor_skip_blanks(&here);
-    cannot_check_at(c->file, c->line, (int)(here.at - here.begin) + 1, "%s",
-                    message);
+    cannot_check_at(c->file, c->line, (int)(here.at - here.begin) + 1, "%s", message);
 }
 
 void cursor_skip_blanks(struct cursor *c)

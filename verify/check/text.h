@@ -18,8 +18,7 @@ char *text_read_file(const char *name, size_t limit, size_t *size);
 
 /* The canonical text of a scheme file (lib/scheme.md), and a 0 behind it.
  * Bytes and lines that the language does not allow: cannot check. */
-char *text_canonical(const char *file, const char *text, size_t size,
-                     size_t *canonical_size);
+char *text_canonical(const char *file, const char *text, size_t size, size_t *canonical_size);
 
 /* A place in one line: [at, end) is still to be read.  Column 1 is `begin`. */
 struct cursor {
@@ -28,18 +27,15 @@ struct cursor {
     const char *begin, *at, *end;
 };
 
-/* Statements of a scheme file: the lines that are not empty once comments
- * are cut off. */
+/* Statements of a scheme file: the lines that are not empty once comments are cut off. */
 struct statements {
     const char *file;
     int line;                                      /* the one read last */
     const char *at, *end;
 };
 
-/* The next statement; at the end of the file "cannot check", with the text
- * `expected`. */
-void statements_next(struct cursor *out, struct statements *s,
-                     const char *expected);
+/* The next statement; at the end of the file "cannot check", with the text `expected`. */
+void statements_next(struct cursor *out, struct statements *s, const char *expected);
 
 /* The same, but false at the end of the file. */
 bool statements_more(struct cursor *out, struct statements *s);

@@ -3,7 +3,7 @@
 #include "ties.h"
 
 #include "answer.h"
-#include "decide.h"
+#include "characteristic.h"
 #include "polynomial.h"
 
 #include <string.h>
@@ -98,12 +98,10 @@ static void prove_root(struct proof *p)
     p->lambda = interval_of(integer_sub(e->eigenvalue, e->radius),
                             integer_add(e->eigenvalue, e->radius));
     if (p->lambda.lo.sign <= 0 || integer_compare(p->lambda.hi, grid_from(1, g).lo) >= 0)
-        rejected(p->c->file, e->line_of.eigenvalue,
-                 "eigenvalue: its interval is not inside (0,1)");
+        rejected(p->c->file, e->line_of.eigenvalue, "eigenvalue: its interval is not inside (0,1)");
     low = factor_at(factor, e->degree, interval_thin(p->lambda.lo), g);
     high = factor_at(factor, e->degree, interval_thin(p->lambda.hi), g);
-    if (interval_contains_zero(low) || interval_contains_zero(high) ||
-        low.lo.sign == high.lo.sign)
+    if (interval_contains_zero(low) || interval_contains_zero(high) || low.lo.sign == high.lo.sign)
         rejected(p->c->file, e->line_of.eigenvalue,
                  "eigenvalue: the factor is not proved to have a root there");
     p->s = spectrum_inverse_upper(p->lambda.lo, g);
@@ -177,8 +175,7 @@ static void prove_line(struct exact_line *out, struct proof *p, const struct exa
 
     out->record = e;
     if (e->m > 0 && !p->v->scheme->mirrored)
-        rejected(c->file, e->record.line, "exact: the scheme is not evidently "
-                 "mirror-symmetric");
+        rejected(c->file, e->record.line, "exact: the scheme is not evidently mirror-symmetric");
     if (one && e->m == 0 && e->sign > 0)
         rejected(c->file, e->record.line, "exact: expected s = -1 for block 0");
     if (one && e->record.power != 0)
@@ -210,13 +207,9 @@ static void step(interval *z, const interval *m, interval r, const interval *w, 
 {
     interval *new = allocate((size_t)size, sizeof new[0]);
 
-    for (int i = 0; i < size; i++) {
-        new[i] = grid_mul(r, w[i], g);
-        for (int j = 0; j < size; j++)
-            new[i] = spectrum_add_product(new[i], m[i * size + j], z[j], g);
-    }
     for (int i = 0; i < size; i++)
-        z[i] = new[i];
+        new[i] = interval_add(grid_mul(r, w[i], g), spectrum_dot(&m[i * size], z, 1, size, g));
+    memcpy(z, new, (size_t)size * sizeof z[0]);
 }
 
 static interval *enclose_all(const struct number *a, size_t count, const struct proof *p)
@@ -240,8 +233,7 @@ static struct affine *eigenvector(const struct proof *p, const struct exact_line
     apply_factors(exact, l, l->record->q - 1, &p->field);
     w = enclose_all(exact, n, p);
     z = allocate(n, sizeof z[0]);
-    for (size_t i = 0; i < n; i++)
-        z[i] = w[i];
+    memcpy(z, w, n * sizeof z[0]);
     for (int i = e - 2; i >= 0; i--) {
         bool minus = l->record->sign < 0 && (e - 1 - i) % 2 != 0;
 
@@ -275,50 +267,39 @@ static void decide_line(const struct proof *p, const struct exact_line *l, int w
 /* The claims: section 8
  * --------------------- */
 
-static int longest_chain(const struct exact_choices *e)
-{
-    int out = 0;
-
-    for (int i = 0; i < e->count; i++)
-        if (e->line[i].q > out)
-            out = e->line[i].q;
-    return out;
-}
-
 static bool is_real_block(int64_t m, const struct certificate *c)
 {
     return m == 0 || 2 * m == c->valence.first;
 }
 
-/* The lines that count, of which there are at most two; returns their number. */
-static int find_counting(const struct exact_record *out[2], const struct certificate *c)
+/* The lines that count: two of a tie, else one. */
+static void find_counting(const struct exact_record *out[2], const struct certificate *c)
 {
     const struct exact_choices *e = &c->exact;
-    int longest = longest_chain(e), count = 0;
+    int longest = 0, count = 0, wanted = c->reason == REASON_TIE ? 2 : 1;
 
+    for (int i = 0; i < e->count; i++)
+        longest = e->line[i].q > longest ? e->line[i].q : longest;
     for (int i = 0; i < e->count; i++) {
         if (e->line[i].j == 0)
             continue;
         if (e->line[i].q != longest)
             rejected(c->file, e->line[i].record.line, "exact: a line with an unknown must "
                      "have the largest q");
-        if (count == (c->reason == REASON_TIE ? 2 : 1))
+        if (count == wanted)
             rejected(c->file, e->line[i].record.line, "exact: too many lines have an unknown");
         out[count++] = &e->line[i];
     }
-    return count;
+    if (count != wanted)
+        rejected(c->file, e->line[0].record.line, "exact: too few lines have an unknown");
 }
 
-static void check_counting(const struct exact_record *const line[2], int count,
-                           const struct certificate *c)
+static void check_counting(const struct exact_record *const line[2], const struct certificate *c)
 {
     const struct exact_choices *e = &c->exact;
-    int first = e->line[0].record.line;
 
-    if (count != (c->reason == REASON_TIE ? 2 : 1))
-        rejected(c->file, first, "exact: too few lines have an unknown");
     if (c->reason == REASON_TIE && is_real_block(line[0]->m, c) && is_real_block(line[1]->m, c))
-        rejected(c->file, first, "exact: two real functions do not suffice");
+        rejected(c->file, e->line[0].record.line, "exact: two real functions do not suffice");
     if (c->reason != REASON_JORDAN)
         return;
     if (line[0]->m == 1 || 2 * line[0]->m == c->valence.first)
@@ -330,14 +311,14 @@ static void check_counting(const struct exact_record *const line[2], int count,
             rejected(c->file, e->line[i].record.line, "exact: another line has as large a q");
 }
 
-struct tie tie_prove(const struct valence *v, const struct mask q[3],
-                     const struct certificate *c)
+struct tie tie_prove(const struct valence *v, const struct mask q[3], const struct certificate *c)
 {
     struct proof *p = allocate(1, sizeof *p);
     const struct exact_record *counting[2] = { NULL, NULL };
-    int count = find_counting(counting, c), witness = 0;
+    int witness = 0;
 
-    check_counting(counting, count, c);
+    find_counting(counting, c);
+    check_counting(counting, c);
     p->c = c;
     p->v = v;
     p->q = q;

@@ -13,8 +13,6 @@
 
 #include "grid.h"
 
-#include "answer.h"
-
 enum { FIRST_GUARD_BITS = 32 };
 
 struct estimate {
@@ -30,15 +28,13 @@ struct estimate {
  * with 2^p / x^(2j+1) < 1; the alternating rest is < 1. */
 static struct estimate series_atan(int x, long p)
 {
-    integer power = integer_divide_floor(integer_shift_left(integer_from(1), p),
-                                         integer_from(x));
+    integer power = integer_divide_floor(integer_shift_left(integer_from(1), p), integer_from(x));
     struct estimate out = { integer_from(0), 1 };
 
     for (int64_t j = 0; power.sign > 0; j++) {
         integer term = integer_divide_floor(power, integer_from(2 * j + 1));
 
-        out.number = j % 2 == 0 ? integer_add(out.number, term)
-                                : integer_sub(out.number, term);
+        out.number = j % 2 == 0 ? integer_add(out.number, term) : integer_sub(out.number, term);
         out.error++;
         power = integer_divide_floor(power, integer_from((int64_t)x * x));
     }
@@ -90,8 +86,7 @@ static struct estimate fixed_cos_sin(rational q, bool sine, long p)
     int64_t degree = sine ? 1 : 0;
 
     for (int64_t j = 0; term.sign > 0; j++) {
-        out.number = j % 2 == 0 ? integer_add(out.number, term)
-                                : integer_sub(out.number, term);
+        out.number = j % 2 == 0 ? integer_add(out.number, term) : integer_sub(out.number, term);
         out.error += 4;
         term = integer_shift_floor(integer_mul(term, square), p);
         term = integer_divide_floor(term, integer_from((degree + 1) * (degree + 2)));

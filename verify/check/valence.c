@@ -9,8 +9,7 @@
 
 enum { MAX_VALENCE_OF_EACH = 100000 };
 
-const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a,
-                                       int b)
+const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a, int b)
 {
     for (int i = 0; i < step->rules; i++) {
         const struct rule *rule = step->rule[i].rule;
@@ -22,8 +21,7 @@ const struct active_rule *valence_rule(const struct active_step *step, bool cent
 }
 
 /* out = W_0 .. W_(k-1); returns their sum, which is never an angle. */
-static struct value weigh_each(interval *out, const struct node *formula,
-                               const struct valence *v)
+static struct value weigh_each(interval *out, const struct node *formula, const struct valence *v)
 {
     struct value sum = value_from(rational_from(0, 1));
 
@@ -120,11 +118,9 @@ static bool rule_holds(const struct rule *rule, const struct environment *e,
     return truth == YES;
 }
 
-static void prepare_step(struct active_step *out, const struct step *step,
-                         const struct valence *v)
+static void prepare_step(struct active_step *out, const struct step *step, const struct valence *v)
 {
-    struct environment e =
-        environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
+    struct environment e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
 
     out->step = step;
     out->stencil = stencil_make(&step->mask, step->dilation, v->g);
@@ -143,16 +139,49 @@ static void prepare_step(struct active_step *out, const struct step *step,
     }
 }
 
+enum property { NOT_EACH, UNIFORM, LOCAL, DEFINED };
+
+/* e: for DEFINED. */
+static bool source_is(enum property property, const struct rule *rule, const struct source *s,
+                      const struct environment *e)
+{
+    const struct node none = { .kind = NODE_NUMBER };
+    const struct node *w = s->weight != NULL ? s->weight : &none;
+    const struct node *i = s->imaginary != NULL ? s->imaginary : &none;
+
+    switch (property) {
+    case NOT_EACH:
+        return s->kind != SOURCE_EACH;
+    case UNIFORM:
+        return rule->centre || ((w->meaning | i->meaning) & (MEANS_K | MEANS_M)) == 0;
+    case LOCAL:
+        return rule->centre || s->kind == SOURCE_ONE || s->kind == SOURCE_CENTRE;
+    default:
+        return s->kind != SOURCE_SPECTRUM ||
+               (evaluate(w, e).kind != UNDEFINED && evaluate(i, e).kind != UNDEFINED);
+    }
+}
+
+/* Are all sources of the rules that hold? */
+static bool sources_are(enum property property, const struct valence *v,
+                        const struct environment *e)
+{
+    for (int i = 0; i < v->scheme->steps; i++) {
+        for (int n = 0; n < v->step[i].rules; n++) {
+            const struct rule *rule = v->step[i].rule[n].rule;
+
+            for (int s = 0; s < rule->count; s++)
+                if (!source_is(property, rule, &rule->source[s], e))
+                    return false;
+        }
+    }
+    return true;
+}
+
 /* cos and sin of 2 pi n/k, where a rule has a weight for each sector. */
 static void prepare_angles(struct valence *v)
 {
-    bool wanted = false;
-
-    for (int i = 0; i < v->scheme->steps; i++)
-        for (int n = 0; n < v->step[i].rules; n++)
-            for (int s = 0; s < v->step[i].rule[n].rule->count; s++)
-                wanted = wanted || v->step[i].rule[n].weighted[s].each != NULL;
-    if (!wanted)
+    if (sources_are(NOT_EACH, v, NULL))
         return;
     v->cosine = allocate((size_t)v->k.first, sizeof v->cosine[0]);
     v->sine = allocate((size_t)v->k.first, sizeof v->sine[0]);
@@ -183,69 +212,22 @@ void valence_prepare(struct valence *out, const struct scheme *scheme,
     prepare_angles(out);
 }
 
-static bool names(const struct node *formula, int meaning)
-{
-    return formula != NULL && (formula->meaning & meaning) != 0;
-}
-
-static bool rule_is_uniform(const struct rule *rule)
-{
-    for (int s = 0; s < rule->count; s++)
-        if (names(rule->source[s].weight, MEANS_K | MEANS_M) ||
-            names(rule->source[s].imaginary, MEANS_K | MEANS_M))
-            return rule->centre;
-    return true;
-}
-
 bool valence_is_uniform(const struct valence *v)
 {
-    for (int i = 0; i < v->scheme->steps; i++)
-        for (int n = 0; n < v->step[i].rules; n++)
-            if (!rule_is_uniform(v->step[i].rule[n].rule))
-                return false;
-    return true;
+    return sources_are(UNIFORM, v, NULL);
 }
 
 bool valence_is_local(const struct valence *v)
 {
-    for (int i = 0; i < v->scheme->steps; i++) {
-        for (int n = 0; n < v->step[i].rules; n++) {
-            const struct rule *rule = v->step[i].rule[n].rule;
-
-            for (int s = 0; s < rule->count && !rule->centre; s++)
-                if (rule->source[s].kind != SOURCE_ONE && rule->source[s].kind != SOURCE_CENTRE)
-                    return false;
-        }
-    }
-    return true;
-}
-
-static bool has_value(const struct node *formula, const struct environment *e)
-{
-    struct mark mark = scratch_mark();
-    bool out = formula == NULL || evaluate(formula, e).kind != UNDEFINED;
-
-    scratch_release(mark);
-    return out;
+    return sources_are(LOCAL, v, NULL);
 }
 
 bool valence_has_values(const struct valence *v, int64_t m)
 {
     struct mark mark = scratch_mark();
-    struct environment e =
-        environment_make(&v->scheme->language, v->k, span_of(m), NOTHING, v->g);
-    bool out = true;
+    struct environment e = environment_make(&v->scheme->language, v->k, span_of(m), NOTHING, v->g);
+    bool out = sources_are(DEFINED, v, &e);
 
-    for (int i = 0; i < v->scheme->steps; i++) {
-        for (int n = 0; n < v->step[i].rules; n++) {
-            const struct rule *rule = v->step[i].rule[n].rule;
-
-            for (int s = 0; s < rule->count; s++)
-                if (rule->source[s].kind == SOURCE_SPECTRUM)
-                    out = out && has_value(rule->source[s].weight, &e) &&
-                          has_value(rule->source[s].imaginary, &e);
-        }
-    }
     scratch_release(mark);
     return out;
 }

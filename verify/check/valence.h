@@ -61,8 +61,7 @@ bool valence_is_local(const struct valence *v);
 bool valence_is_regular(const struct valence *v);
 
 /* The rule for (a,b), or the centre, that holds; or NULL. */
-const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a,
-                                       int b);
+const struct active_rule *valence_rule(const struct active_step *step, bool centre, int a, int b);
 
 /* Have all spectra values at the frequency m? */
 bool valence_has_values(const struct valence *v, int64_t m);

@@ -6,7 +6,6 @@
 #include "valences.h"
 
 #include "answer.h"
-#include "limit.h"
 
 enum { Q_BITS = 48 };
 
@@ -33,8 +32,7 @@ void valences_block_between(struct block *out, const struct valence *v, struct s
     *here = *v;
     here->reference.line = line;
     block_prepare_over(out, here, m,
-                       affine_cosine(rational_from(q, unit), rational_from(q_last, unit),
-                                     v->g));
+                       affine_cosine(rational_from(q, unit), rational_from(q_last, unit), v->g));
 }
 
 void valences_prepare_block(struct block *out, const struct valence *v, int64_t m)
@@ -77,8 +75,7 @@ static int64_t prove_rises(const struct valence *v, const struct certificate *c)
     if (c->rises == 0)
         return 0;
     if (!valence_is_uniform(v))
-        rejected(c->file, c->rise[0].record.line,
-                 "rise: a weight of a rule depends on k or m");
+        rejected(c->file, c->rise[0].record.line, "rise: a weight of a rule depends on k or m");
     if (c->rise[c->rises - 1].q < valences_place(1, v->k.first, true))
         rejected(c->file, c->rise[c->rises - 1].record.line,
                  "rise: it ends before frequency 1 of the first valence");
@@ -106,8 +103,7 @@ static int64_t next_frequency(int64_t m, const struct certificate *c)
 /* Are there no more frequencies behind the last one of `cover`? */
 static bool is_last(int64_t last, const struct valence *v, const struct certificate *c)
 {
-    return last == ENDLESS ||
-           (v->k.last != ENDLESS && next_frequency(last, c) > v->k.last / 2);
+    return last == ENDLESS || (v->k.last != ENDLESS && next_frequency(last, c) > v->k.last / 2);
 }
 
 /* The first line of a group; q_least: Q_n.  Returns Q'. */

@@ -3,8 +3,7 @@
 
 /* The spectrum at several valences: sections 4 and 6 of certificate-valences.md.
  *
- * Frequency m of valence k is at q = m/k, in units of 2^-48, and its block at
- * u = cos(pi q). */
+ * Frequency m of valence k is at q = m/k, in units of 2^-48, and its block at u = cos(pi q). */
 
 #include "spectrum.h"
 
@@ -33,5 +32,27 @@ void valences_prove_block_0(const struct valence *v, interval s,
 /* All blocks of `cover`, from q on, pass with s. */
 void valences_prove_cover(const struct valence *v, const struct cover *cover, int64_t q,
                           interval s, const struct certificate *certificate);
+
+/* Proves that all eigenvalues of block 0 but 1 are smaller than L, that of the pair, at each
+ * valence (section 4, "Limit": it tends to block 1); else rejects. */
+void limit_prove(const struct valence *v, const struct eigenpair *pair,
+                 const struct certificate *certificate);
+
+/* Refutations (section 6)
+ * ----------------------- */
+
+/* Proves that at each valence of v some frequency of the window dominates, and that those that may
+ * do not wind once; returns what contains the largest modulus; else rejects.  q: q_0, q_1, q_2. */
+interval window_prove(const struct valence *v, const struct mask q[3],
+                      const struct certificate *certificate);
+
+/* Block 0 where an eigenvalue of it grows with k, but for the rules of the centre, whose weights
+ * need no values on the grid; rejects schemes that are not made for it. */
+void graded_prepare_block(struct block *out, const struct valence *v);
+
+/* Proves |l| > 1 and that its function is not 0, at each valence; returns what contains
+ * |l| (q/k)^d; else rejects.  q: q_0, q_1, q_2. */
+interval graded_prove(const struct block *block, const struct mask q[3],
+                      const struct certificate *certificate);
 
 #endif

@@ -50,14 +50,6 @@ struct value value_enclosure(interval x)
     return out;
 }
 
-struct value value_constant(const struct node *f)
-{
-    struct value out = value_from(f->kind == NODE_PI ? rational_from(1, 1) : f->number);
-
-    out.kind = f->kind == NODE_PI ? ANGLE : RATIONAL;
-    return out;
-}
-
 struct value value_variable(struct span span, bool divides, const struct node *at)
 {
     struct value out = value_from(rational_from(span.first, 1));
@@ -109,12 +101,10 @@ bool value_is_bounded(const struct value *v)
     return v->kind != UNDEFINED && !is_unbounded(v);
 }
 
-void value_require(struct value v, const struct language *l, const char *certificate,
-                   int line)
+void value_require(struct value v, const struct language *l, const char *certificate, int line)
 {
     if (is_unbounded(&v))
-        rejected(certificate, line, "a formula of the scheme is not bounded over all "
-                 "valences");
+        rejected(certificate, line, "a formula of the scheme is not bounded over all valences");
     if (v.kind != UNDEFINED)
         return;
     if (v.open && certificate != NULL)
@@ -203,8 +193,7 @@ static struct value apply_exactly(struct value a, char operation, struct value b
     if (out.range && operation == '+')
         out.q_last = apply_to_ends(a.q_last, operation, b.q_last);
     for (int i = 1; out.range && operation != '+' && i < 4; i++) {
-        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation,
-                                     i == 1 ? b.q : b.q_last);
+        rational end = apply_to_ends(i == 2 ? a.q : a.q_last, operation, i == 1 ? b.q : b.q_last);
 
         if (compare_ends(end, out.q) < 0)
             out.q = end;
@@ -254,25 +243,21 @@ struct value value_negate(struct value v)
     return v;
 }
 
-/* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals. */
+static bool is_odd(integer n)
+{
+    return integer_compare(integer_shift_left(integer_shift_floor(n, 1), 1), n) != 0;
+}
+
+/* q^n by squaring, n >= 1.  Numbers that grow end at the limit of rationals; 0, 1, -1 do not. */
 static rational rational_power(rational q, integer n)
 {
     rational out = rational_from(1, 1);
-    bool unit = integer_compare(integer_absolute(q.num), q.den) == 0;
 
-    if (q.num.sign == 0 || (unit && q.num.sign > 0))
-        return q;
-    if (unit) {                                    /* -1 */
-        integer half = integer_shift_floor(n, 1);
-
-        return integer_compare(integer_add(half, half), n) == 0 ? out : q;
-    }
+    if (q.num.sign == 0 || integer_compare(integer_absolute(q.num), q.den) == 0)
+        return is_odd(n) ? q : rational_mul(q, q);
     for (long bit = integer_bits(n) - 1; bit >= 0; bit--) {
-        integer above = integer_shift_floor(n, bit);
-        integer half = integer_shift_floor(above, 1);
-
         out = rational_mul(out, out);
-        if (integer_compare(integer_add(half, half), above) != 0)
+        if (is_odd(integer_shift_floor(n, bit)))
             out = rational_mul(out, q);
     }
     return out;
@@ -281,8 +266,7 @@ static rational rational_power(rational q, integer n)
 /* x^n for an exact x > 0 and whole n, not too large ones. */
 static interval whole_power(rational x, int64_t n, int g)
 {
-    rational out = n == 0 ? rational_from(1, 1)
-                          : rational_power(x, integer_from(n < 0 ? -n : n));
+    rational out = n == 0 ? rational_from(1, 1) : rational_power(x, integer_from(n < 0 ? -n : n));
 
     return grid_from_rational(n < 0 ? rational_divide(rational_from(1, 1), out) : out, g);
 }
@@ -411,8 +395,7 @@ enum truth value_compare(struct value a, char join, struct value b, int g)
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return UNKNOWN;
     if (a.kind == b.kind && a.kind != ENCLOSURE)
-        return holds_for_signs(join, compare_ends(b.q, a.q_last),
-                               compare_ends(b.q_last, a.q));
+        return holds_for_signs(join, compare_ends(b.q, a.q_last), compare_ends(b.q_last, a.q));
     if (is_unbounded(&a) || is_unbounded(&b))
         return UNKNOWN;
     difference = interval_sub(value_enclose(b, g), value_enclose(a, g));
@@ -449,8 +432,7 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
 
     if (v.kind == ENCLOSURE || (v.kind == RATIONAL &&
                                 (v.q.num.sign != 0 || v.q_last.num.sign != 0)))
-        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi",
-                               false);
+        return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
     if (at->kind == NODE_SIN) {                    /* sin x = cos(pi/2 - x) */

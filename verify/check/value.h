@@ -29,8 +29,7 @@ struct value {
 struct value value_from(rational q);
 struct value value_enclosure(interval x);
 
-/* A number or pi; k, j or m in a span.  Ranges are divided by only where k varies. */
-struct value value_constant(const struct node *f);
+/* k, j or m in a span.  Ranges are divided by only where k varies. */
 struct value value_variable(struct span span, bool divides, const struct node *at);
 
 /* No value; open: a finer grid might help. */
@@ -46,8 +45,7 @@ void value_keep(struct mark mark, struct value *v);
  * line of the certificate (NULL: with "cannot check"), else with "cannot check".  An
  * unbounded one is rejected. */
 bool value_is_bounded(const struct value *v);
-void value_require(struct value v, const struct language *l, const char *certificate,
-                   int line);
+void value_require(struct value v, const struct language *l, const char *certificate, int line);
 
 /* Operations
  * ----------

@@ -1,14 +1,13 @@
 /* Refutations by a window of frequencies: section 6 of certificate-valences.md. */
 
-#include "window.h"
+#include "valences.h"
 
 #include "answer.h"
-#include "decide.h"
+#include "characteristic.h"
 
 /* From q on: the eigenpair of each block, the rest of it below R, no zero on the curve. */
 static interval prove_wave(const struct valence *v, int64_t q, const struct rise *wave,
-                           interval s, const struct mask masks[3],
-                           const struct certificate *c)
+                           interval s, const struct mask masks[3], const struct certificate *c)
 {
     struct characteristic characteristic;
     struct certificate own = *c;
@@ -80,8 +79,7 @@ static void prove_outside(const struct valence *v, interval s, const struct cert
         rejected(c->file, c->line_of.window, "window: not all outside of it is covered");
 }
 
-interval window_prove(const struct valence *v, const struct mask q[3],
-                      const struct certificate *c)
+interval window_prove(const struct valence *v, const struct mask q[3], const struct certificate *c)
 {
     interval s = spectrum_inverse_upper(c->bound, c->grid), moduli;
 
