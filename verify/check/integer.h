@@ -8,9 +8,9 @@
  * first.  Always: the top limb is not 0; length = 0 iff sign = 0.  Integers are
  * values: functions take and return them, and nothing changes one.
  *
- * The limbs of short integers are in the structure, those of longer ones in
- * scratch memory (scratch.h): what is to survive a release goes through
- * integer_keep().
+ * The limbs of short integers, at most those of an int64_t, are in the structure, so
+ * that it fits two registers; those of longer ones are in scratch memory (scratch.h):
+ * what is to survive a release goes through integer_keep().
  *
  * The capacity is fixed: it holds products of two rational parts of 16,384 bits
  * (lib/scheme.md) and a little more.  A result that would not fit ends the
@@ -22,7 +22,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { INTEGER_LIMBS = 1056, SHORT_LIMBS = 6 };    /* 33,792 bits */
+enum { INTEGER_LIMBS = 1056, SHORT_LIMBS = 2 };    /* 33,792 bits */
 
 typedef struct {
     int sign;                                      /* -1, 0 or 1 */
