@@ -1,6 +1,8 @@
 /* field_matrix.c: Faddeev and Leverrier's characteristic polynomial; polynomials of a matrix by Horner's rule. */
 #include "field_matrix.h"
 
+#include "stop.h"
+
 void field_matrix_init(field_matrix *m, number_field *f, int n)
 {
     m->field = f;
@@ -28,6 +30,7 @@ static void multiply_shifted(field_matrix *z, const field_matrix *m, field_matri
         field_add(f, at(x, i, i), at(x, i, i), c);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n && !f->failed; j++) {
+            f->failed = stop_now();
             field_set_si(f, at(z, i, j), 0);
             for (int l = 0; l < n; l++)
                 field_addmul(f, at(z, i, j), at(m, i, l), at(x, l, j));

@@ -3,8 +3,8 @@
    An element is an array of f->degree rationals, the coefficients of 1, theta, theta^2 ...: a unique form.  Vectors,
    matrices and polynomials of elements are arrays of them, one after the other.
 
-   Nothing here returns a failure: f->failed stays set once memory was missing or a rational had more than
-   NUMBER_FIELD_MAX_BITS bits; what was computed then means nothing. */
+   Nothing here returns a failure: f->failed stays set once memory was missing, a rational had more than
+   NUMBER_FIELD_MAX_BITS bits, or there was no time left (lib/stop.h); what was computed then means nothing. */
 #ifndef LIB_NUMBER_FIELD_H
 #define LIB_NUMBER_FIELD_H
 
