@@ -80,7 +80,10 @@ static void test_values(void)
     check_value("cases(k < 8: 1; k != 10: 1/k; else: k)", 11, true, -1, -1);
     check_value("cases(k < 8: 1; k != 10: 1/k; else: k)", 9, false, 0, 0);
     check_value("k^65", 3, false, 0, 0);
-    check_value("k^-1", 3, false, 0, 0);
+    check_value("k^-1", 3, true, -1, -1);
+    check_value("1 - 3*(2/k)^-(1 + 1)", 3, true, 0, 2);
+    check_value("(k + 1)^-1", 3, false, 0, 0);
+    check_value("(k - k)^-1", 3, false, 0, 0);
     check_value("2^k", 3, false, 0, 0);
     check_value("1/(k + 1)", 3, false, 0, 0);
     check_value("1/(k - k)", 3, false, 0, 0);
