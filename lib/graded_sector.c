@@ -66,26 +66,33 @@ static bool find_least(int *least, const graded_net *net, bool regular, const ri
         const element *e = &r->boundary[i];
         for (int j = 0; j < r->stencil[RING_VALUES].window[e->type].count; j++) {
             lattice p = r->stencil[RING_VALUES].window[e->type].point[j];
-            int a = e->a + p.a, b = e->b + p.b, turns, here;
-            if (!mesh_reduce(net->mesh, regular, &a, &b, &turns))
-                return false;
-            here = net->grade[graded_index(net, a, b)];
-            *least = here < *least ? here : *least;
+            int a = e->a + p.a, b = e->b + p.b, turns, at = GRADED_CENTRE;
+            if (!mesh_is_centre(net->mesh, a, b)) {
+                if (!mesh_reduce(net->mesh, regular, &a, &b, &turns))
+                    return false;
+                at = graded_index(net, a, b);
+            }
+            *least = net->grade[at] < *least ? net->grade[at] : *least;
         }
     }
     return true;
 }
 
 /* Where the grade is less, no window has the value. */
+static void level_value(number *z, graded_net *net, int at, int least, const graded_block *b)
+{
+    int grade = net->grade[at];
+    if (grade == GRADED_ABSENT || grade < least)
+        return;
+    number_swap(z, &net->value[at]);
+    graded_scale(z, &b->kappa, grade - least, b->numbers->prec);
+}
+
 static void level(sector_net *z, graded_net *net, int least, const graded_block *b)
 {
-    for (int i = 0; i < sector_size(net->rings); i++) {
-        int grade = net->grade[1 + i];
-        if (grade == GRADED_ABSENT || grade < least)
-            continue;
-        number_swap(&z->x[i], &net->value[1 + i]);
-        graded_scale(&z->x[i], &b->kappa, grade - least, b->numbers->prec);
-    }
+    level_value(&z->centre, net, GRADED_CENTRE, least, b);
+    for (int i = 0; i < sector_size(net->rings); i++)
+        level_value(&z->x[i], net, 1 + i, least, b);
 }
 
 block_status graded_sector_net(sector_net *z, const graded_block *b, const graded_choice *c, const number *box, const ring *r)
