@@ -1,4 +1,5 @@
 /* archive.c: what is there of earlier runs, and what this one adds. */
+#define _POSIX_C_SOURCE 200809L
 #include "archive.h"
 
 #include "prove_output.h"
@@ -8,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define MAX_JOURNAL_BYTES (1 << 30)
 
@@ -151,4 +153,41 @@ archive_status archive_commit(archive *z)
         ok = durable_append(z->journal_fd, z->lines.bytes, z->lines.length);
     buffer_clear(&z->lines);
     return ok ? ARCHIVE_OK : ARCHIVE_IO_ERROR;
+}
+
+/* ---- out of the way ---- */
+
+static bool is_there(const char *directory, const char *name)
+{
+    char *path = durable_path(directory, name);
+    bool there = !path || access(path, F_OK) == 0;
+    free(path);
+    return there;
+}
+
+/* Nothing that was moved before is lost.  Whoever is here has the lock: a name that is free stays so. */
+static bool set_aside(archive *z, char aside[ARCHIVE_ASIDE_MAX], const char *name)
+{
+    snprintf(aside, ARCHIVE_ASIDE_MAX, "%s" ARCHIVE_ASIDE, name);
+    for (int i = 2; i < 1000 && is_there(z->path, aside); i++)
+        snprintf(aside, ARCHIVE_ASIDE_MAX, "%s" ARCHIVE_ASIDE "-%d", name, i);
+    if (is_there(z->path, aside)) {
+        errno = EEXIST;
+        return false;
+    }
+    if (!durable_rename(z->path, name, aside))
+        return false;
+    journal_print_withdrawn(&z->lines, name);
+    return true;
+}
+
+/* The log first: after a crash in between, the next run finds the certificate, and goes on with it. */
+archive_status archive_set_aside(archive *z, char name[ARCHIVE_ASIDE_MAX], valence_range k)
+{
+    char file[ARCHIVE_NAME_MAX];
+    bool ok;
+    archive_name(file, k, ARCHIVE_LOG);
+    ok = set_aside(z, name, file) || errno == ENOENT;
+    archive_name(file, k, ARCHIVE_CERTIFICATE);
+    return ok && set_aside(z, name, file) ? archive_commit(z) : ARCHIVE_IO_ERROR;
 }

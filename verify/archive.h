@@ -5,6 +5,7 @@
      scheme.scheme     the scheme's text, with the parameters as they were set
      valence-K.cert    a certificate for each decided valence K, or range of valences such as 8..20 or 21..inf
      valence-K.log     how it was decided, or why not: JSON lines
+     *.damaged         what was found damaged, and is no evidence any more
      index             in order, one line each: "K proved SHA256 FILE", "K refuted SHA256 FILE" or "K undecided"
      journal           the digests of all finished certificates and logs (journal.h)
      runs              which commands of which versions worked here: JSON lines
@@ -62,15 +63,21 @@ enum { ARCHIVE_GROUP_MAX = DURABLE_GROUP_MAX / 2 };
 archive_status archive_keep(archive *z, char **certificate, const decision *d, archive_earlier earlier);
 archive_status archive_commit(archive *z);
 
+/* "valence-8..20" and the suffix. */
+enum { ARCHIVE_NAME_MAX = VALENCE_RANGE_TEXT + 16 };
+void archive_name(char name[ARCHIVE_NAME_MAX], valence_range k, const char *suffix);
+
+/* Moves a certificate that is damaged out of the way of those that now speak of its valences, and its log: to the first free
+   of "NAME.damaged", "NAME.damaged-2" ...  The journal then knows
+   them no more.  name receives the new name of the certificate. */
+enum { ARCHIVE_ASIDE_MAX = ARCHIVE_NAME_MAX + 24 };
+archive_status archive_set_aside(archive *z, char name[ARCHIVE_ASIDE_MAX], valence_range k);
+
 /* Writes the index of all that is in the directory.  contradiction: the two of ARCHIVE_CONTRADICTION. */
 archive_status archive_write_index(const archive *z, valence_range contradiction[2]);
 
 /* Reads the journal of the directory; it may be missing.  false: errno says why. */
 bool archive_read_journal(journal *z, const char *path);
-
-/* "valence-8..20" and the suffix. */
-enum { ARCHIVE_NAME_MAX = VALENCE_RANGE_TEXT + 16 };
-void archive_name(char name[ARCHIVE_NAME_MAX], valence_range k, const char *suffix);
 
 #define ARCHIVE_SCHEME "scheme.scheme"
 #define ARCHIVE_INDEX "index"
@@ -80,6 +87,7 @@ void archive_name(char name[ARCHIVE_NAME_MAX], valence_range k, const char *suff
 #define ARCHIVE_LOCK "lock"
 #define ARCHIVE_CERTIFICATE ".cert"
 #define ARCHIVE_LOG ".log"
+#define ARCHIVE_ASIDE ".damaged"
 
 /* No file of an archive is longer than this, but for journal and runs. */
 #define ARCHIVE_MAX_BYTES (64 << 20)

@@ -143,6 +143,8 @@ bool archive_index_make(archive_index *z, const char *path, const journal *finis
     for (size_t i = 0; ok && i < z->count; i++)
         if (z->entry[i].verdict != VERDICT_UNDECIDED)
             ok = read_certificate(&z->entry[i], path, finished);
+    for (size_t i = 0; ok && i < z->count; i++)
+        z->damaged += z->entry[i].damaged;
     if (ok)
         mark_reach(z);
     return ok;
@@ -167,6 +169,14 @@ const archive_index_entry *archive_index_next(const archive_index *z, valence_ra
     size_t i = after ? (size_t)(after - z->entry) : count_up_to(z, k.last);
     while (i-- > 0 && z->entry[i].reach >= k.first)
         if (z->entry[i].verdict != VERDICT_UNDECIDED && valence_range_overlap(z->entry[i].valences, k))
+            return &z->entry[i];
+    return NULL;
+}
+
+archive_index_entry *archive_index_damaged(const archive_index *z, valence_range k)
+{
+    for (size_t i = 0; z->damaged && i < z->count && z->entry[i].valences.first <= k.last; i++)
+        if (z->entry[i].damaged && valence_range_overlap(z->entry[i].valences, k) && !valence_range_equal(z->entry[i].valences, k))
             return &z->entry[i];
     return NULL;
 }

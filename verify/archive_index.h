@@ -21,6 +21,7 @@ typedef struct {
 typedef struct {
     archive_index_entry *entry; /* by valences */
     size_t count, capacity;
+    size_t damaged; /* how many are */
 } archive_index;
 
 void archive_index_init(archive_index *z);
@@ -32,6 +33,9 @@ bool archive_index_make(archive_index *z, const char *path, const journal *finis
 /* The entries with a verdict about some valence of k, one after the other (the last one first): the one that follows `after`, NULL
    for the first.  NULL: no more. */
 const archive_index_entry *archive_index_next(const archive_index *z, valence_range k, const archive_index_entry *after);
+
+/* A damaged entry, not for k itself, about some valence of k; NULL: there is none. */
+archive_index_entry *archive_index_damaged(const archive_index *z, valence_range k);
 
 /* Appends the text of the file `index`. */
 void archive_index_print(buffer *text, const archive_index *z);

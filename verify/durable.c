@@ -195,6 +195,17 @@ bool durable_store(const char *directory, const char *name, const char *bytes, s
     return false;
 }
 
+bool durable_rename(const char *directory, const char *from, const char *to)
+{
+    char *old = durable_path(directory, from), *new = durable_path(directory, to);
+    bool ok = old && new && rename(old, new) == 0 && sync_directory(directory);
+    int saved = errno;
+    free(old);
+    free(new);
+    errno = saved;
+    return ok;
+}
+
 bool durable_append(int fd, const char *bytes, size_t length)
 {
     return write_all(fd, bytes, length) && fsync(fd) == 0;

@@ -42,6 +42,9 @@ void durable_group_abandon(durable_group *z);
 /* One file: both at once. */
 bool durable_store(const char *directory, const char *name, const char *bytes, size_t length, unsigned mode);
 
+/* Gives a file another name, in the place of what had it.  false: errno says why. */
+bool durable_rename(const char *directory, const char *from, const char *to);
+
 /* Appends to the file behind fd, durably.  false: errno says why. */
 bool durable_append(int fd, const char *bytes, size_t length);
 

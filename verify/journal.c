@@ -46,14 +46,16 @@ static int by_name(const void *x, const void *y)
     return order ? order : (a->order > b->order) - (a->order < b->order);
 }
 
-/* Keeps the last line of each name. */
+static const char withdrawn[] = "0000000000000000000000000000000000000000000000000000000000000000";
+
+/* Keeps the last line of each name, unless it withdraws the file. */
 static void keep_last(journal *z)
 {
     size_t kept = 0;
     if (z->count)
         qsort(z->line, z->count, sizeof *z->line, by_name);
     for (size_t i = 0; i < z->count; i++)
-        if (i + 1 == z->count || strcmp(z->line[i].name, z->line[i + 1].name))
+        if ((i + 1 == z->count || strcmp(z->line[i].name, z->line[i + 1].name)) && strcmp(z->line[i].digest, withdrawn))
             z->line[kept++] = z->line[i];
     z->count = kept;
 }
@@ -88,6 +90,11 @@ const char *journal_find(const journal *z, const char *name)
 {
     const journal_line *found = z->count ? bsearch(name, z->line, z->count, sizeof *z->line, find_name) : NULL;
     return found ? found->digest : NULL;
+}
+
+void journal_print_withdrawn(buffer *text, const char *name)
+{
+    buffer_print(text, "%s  %s\n", withdrawn, name);
 }
 
 void journal_print(buffer *text, const char *name, const char *bytes, size_t length)

@@ -78,9 +78,42 @@ static bool fits(prove_run *r, const decision *d)
         return true;
     archive_name(name, e->valences, ARCHIVE_CERTIFICATE);
     valence_range_print(k, d->k);
-    prove_raise_result(r, complain(EXIT_USAGE, "%s: this run, with its method and precision, cannot use %s, and a certificate of %s beside it would speak of a "
-                                               "valence twice; name another directory with --out", r->archive.path, name, k));
+    if (d->kept_before)
+        prove_raise_result(r, complain(EXIT_USAGE, "%s: %s and the certificate of %s speak of a valence twice, which smoothcert-check does not want; "
+                                                   "move one of them away", r->archive.path, name, k));
+    else
+        prove_raise_result(r, complain(EXIT_USAGE, "%s: this run, with its method and precision, cannot use %s, and a certificate of %s beside it would speak of a "
+                                                   "valence twice; name another directory with --out", r->archive.path, name, k));
     return false;
+}
+
+/* What is damaged and shares a valence with what is kept now would never be mended: the boxes are others this time.  It is
+   moved only when its successor is durable. */
+static bool set_damaged_aside(prove_run *r, valence_range kept)
+{
+    for (archive_index_entry *e; r->archive.path && (e = archive_index_damaged(&r->earlier, kept));) {
+        char name[ARCHIVE_NAME_MAX], aside[ARCHIVE_ASIDE_MAX], k[VALENCE_RANGE_TEXT];
+        archive_name(name, e->valences, ARCHIVE_CERTIFICATE);
+        valence_range_print(k, e->valences);
+        if (archive_set_aside(&r->archive, aside, e->valences) != ARCHIVE_OK) {
+            prove_raise_result(r, complain(EXIT_IO, "%s: the damaged %s could not be moved aside: %s", r->archive.path, name, strerror(errno)));
+            return false;
+        }
+        complain(0, journal_find(&r->archive.finished, name) ? "%s: the certificate for valences %s is not the one that was finished; it is now %s"
+                                                             : "%s: what was there as the certificate for valences %s is none; it is now %s",
+                 r->archive.path, k, aside);
+        e->damaged = false;
+        r->earlier.damaged--;
+    }
+    return true;
+}
+
+static bool set_all_damaged_aside(prove_run *r, prove_answer *const *answers, int count)
+{
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++)
+        ok = !answers[i] || !is_worth_keeping(answers[i]) || set_damaged_aside(r, answers[i]->decision.k);
+    return ok;
 }
 
 /* Makes the answers durable; only then are they told. */
@@ -99,7 +132,7 @@ static bool keep_all(prove_run *r, prove_answer *const *answers, int count)
     if (kept == ARCHIVE_OK)
         kept = archive_commit(&r->archive);
     if (kept == ARCHIVE_OK)
-        return true;
+        return set_all_damaged_aside(r, answers, count);
     prove_raise_result(r, complain(errno == ENOMEM ? EXIT_NO_MEMORY : EXIT_IO, "%s: valence %ld and what follows could not be kept: %s", r->archive.path, from, strerror(errno)));
     return false;
 }

@@ -148,6 +148,40 @@ ranges() {
   rm -rf ranges head
 }
 
+# A damaged certificate of a range, whose place others take: it is announced, moved aside, and speaks of nothing any more.
+damaged_ranges() {
+  scheme=$SRCDIR/tests/verify/schemes/loop-sixteenth.scheme
+  "$SMOOTHCERT" prove "$scheme" --valence all --out whole >stdout 2>&1
+  for damage in changed truncated empty renamed; do
+    rm -rf broken && cp -r whole broken
+    file=valence-80..111.cert
+    case $damage in
+      changed) sed 's/^claim not-c1/claim c1/' whole/$file >broken/$file ;;
+      truncated) head -c 100 whole/$file >broken/$file ;;
+      empty) : >broken/$file ;;
+      renamed) file=valence-1000..2000.cert; cp whole/valence-62..79.cert broken/$file ;;
+    esac
+    cp broken/$file before
+    expect "range-$damage" 1 "; it is now $file.damaged" prove "$scheme" --valence all --out broken
+    [ "$(wc -l <stderr)" -eq 1 ]
+    holds "range-$damage-one-message" $? "$(cat stderr)"
+    [ ! -e broken/$file ] && cmp -s before broken/$file.damaged
+    holds "range-$damage-aside" $? "$(ls broken)"
+    expect "range-$damage-verify" 0 'certificates hold' archive verify broken
+    "$SMOOTHCERT_CHECK" --scheme "$scheme" --valence all broken/*.cert >stdout 2>stderr
+    ! grep -q 'are about valence' stdout stderr
+    holds "range-$damage-checker" $? "$(grep -h 'are about valence' stdout stderr)"
+    expect "range-$damage-again" 1 'not C1' prove "$scheme" --valence all --out broken
+    [ ! -s stderr ]
+    holds "range-$damage-again-silent" $? "$(cat stderr)"
+  done
+  # Good ones may speak of a valence twice, too: nobody can say which of them is wanted.
+  "$SMOOTHCERT" prove "$scheme" --valence 79 --out single >stdout 2>&1
+  cp single/valence-79.cert whole/
+  expect range-twice 64 'valence-79.cert and the certificate of 62..79 speak of a valence twice' prove "$scheme" --valence all --out whole
+  rm -rf whole broken single before
+}
+
 # Directories of earlier versions of the program: without journal, with certificates of format 0.
 old_archives() {
   cp -r a old
@@ -274,6 +308,7 @@ mkdir work && cd work || exit 1
   other_claims
   two_runs
   ranges
+  damaged_ranges
   old_archives
   looking
   rerunning
