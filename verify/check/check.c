@@ -161,8 +161,8 @@ static void check_stability(struct statement *s, const struct certificate *c)
                 rejected(c->file, line, "stability: expected 0 1024 for q_%d", i);
             continue;
         }
-        if (s->proved.stability_power[i] == n && s->proved.stability[i] == t)
-            continue;
+        if (n > 0 && s->proved.stability_power[i] == n && s->proved.stability[i] == t)
+            continue;                              /* n = 0: nothing is proved yet */
         if (n < 1 || t <= 1024 || !stability_holds(&s->q[i], n, t))
             rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d", (long long)t, i);
         s->proved.stability_power[i] = n;
