@@ -28,7 +28,10 @@ verifies butterfly 4..7 c1
 verifies butterfly 3,8..inf not-c1
 verifies loop-sixteenth 5..19 c1
 verifies loop-sixteenth 3,4,20..inf not-c1
+verifies smooth-grows 4..14 c1
+verifies smooth-grows 3,15..inf not-c1
 rejects loop-sixteenth 5..20 c1
+rejects smooth-grows 3..14 c1
 rejects loop-sixteenth 19..inf not-c1
 rejects butterfly all c1
 rejects loop all not-c1

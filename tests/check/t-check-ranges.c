@@ -162,7 +162,8 @@ static const char *const formulas[] = {
     "max(m/k, 1/4)", "2^-m", "(1/3)^(k - m)", "(1/2)^(2*k - 15)", "3^(2 - k)", "(1/k)^3",
     "cases(k < 10: 1/k; k < 12: 2/k; else: 3/k)", "cases(m = 2: 1; m < k: 2; else: 3)",
     "cases(k > 2: 7; else: 1/0)", "(k - 5/k)/(m/k + 1)", "-(k + m)", "cos(pi*k)", "1/(3 - k)",
-    "(k + 3)/2", "pi*k/(pi*k + pi)", "cos(pi*m/(k + 1)) * m", "1/(0 - k) * (-3)"
+    "(k + 3)/2", "pi*k/(pi*k + pi)", "cos(pi*m/(k + 1)) * m", "1/(0 - k) * (-3)",
+    "cos(0 - pi*m/k)", "sin(2*pi/k + 0*k)"
 };
 
 static struct value value_at(const char *text, struct span k, struct span m)
@@ -235,6 +236,10 @@ static void test_ends(void)
         { "1/(k - 10)", 20, 0, 0, 0 }, { "1/(k - 8)", 20, 0, 0, 0 },
         { "sqrt(k)", ENDLESS, 0, 0, 0 }, { "cos(k)", 20, 0, 0, 0 },
         { "cos(pi*k)", ENDLESS, -1, 1, 1 }, { "cos(2*pi/k)", ENDLESS, 0, 0, 0 },
+        { "cos(0 - 4*pi/k)", 12, 0, 1, 2 }, { "cos(4*pi/k + 0*k)", 12, 0, 1, 2 },
+        { "cos(pi*k - 0)", ENDLESS, -1, 1, 1 }, { "cos(4*pi/k + 1)", 12, 0, 0, 0 },
+        { "cos(4*pi/k + (k - 8))", 12, 0, 0, 0 }, { "cos(4*pi/k + (k - 12))", 12, 0, 0, 0 },
+        { "cos(0*k*pi + 1)", 12, 0, 0, 0 },
         { "cases(k < 8: 5; k >= 8: 6)", ENDLESS, 6, 6, 1 },
         { "cases(k < 9: 5; else: 6)", ENDLESS, 5, 6, 1 },
         { "cases(k < 9: 5; k >= 9: 6)", ENDLESS, 0, 0, 0 },

@@ -773,7 +773,13 @@ static void test_formula_values(void)
     EXPECT(is_angle("-pi", -1, 1));
     EXPECT(is_angle("pi^1", 1, 1));
     EXPECT(is_angle("pi/2+pi/3", 5, 6));
-    EXPECT(is_enclosure("0+pi"));
+    EXPECT(is_angle("0+pi", 1, 1));
+    EXPECT(is_angle("0-pi", -1, 1));
+    EXPECT(is_angle("pi-0", 1, 1));
+    EXPECT(is_angle("pi/3+0*pi", 1, 3));
+    EXPECT(is_angle("pi-pi+pi/2", 1, 2));
+    EXPECT(is_rational("cos(0+pi)", -1, 1));
+
     EXPECT(is_enclosure("pi^-1"));
     EXPECT(is_enclosure("pi*pi"));
     EXPECT(is_enclosure("1/pi"));
@@ -791,7 +797,7 @@ static void test_formula_errors(void)
         "cases(else: 1; k=7: 2)", "min(1)", "sqrt(1,2)", "1 = 1", "cases(k=3 and k=4 or k=7:1;else:2)",
         "2 3", "2k", "kk", "x", "cos", "cos 1", "cos(1)", "cos(pi+1)", "cos()",
         "(1", "1)", "1/0", "1/(1-1)", "0^-1", "pi/0", "1/(cos(pi/7)-cos(pi/7))",
-        "2*-3", "1--1", "cospi", "1e5", "1,5", "(1)(2)", "cos(0+pi)", "pi pi",
+        "2*-3", "1--1", "cospi", "1e5", "1,5", "(1)(2)", "cos(1/2+pi)", "cos(0/pi)", "pi pi",
         "9.99^64^2", "rest", "1 .5"
     };
 

@@ -3,6 +3,8 @@
 
 #include "exact_formula.h"
 
+#include <string.h>
+
 enum { MAX_EXACT_EXPONENT = 16384 };               /* as in value.c */
 
 /* Sums and products, from the left. */
@@ -30,13 +32,17 @@ static bool power_value(void *out, const struct node *f, const struct environmen
         !integer_get_small(&n, value.q.num, r->most))
         return false;
     n = exponent->join == '-' ? -n : n;
-    if (n < 0 || !ring_value(base, f->first, e, r))
+    if (n < r->least || !ring_value(base, f->first, e, r))
         return false;
     r->set(out, rational_from(1, 1));
-    for (; n > 0; n--)
+    for (int64_t i = n < 0 ? -n : n; i > 0; i--)
         if (!r->apply(out, '*', base, r->field))
             return false;
-    return true;
+    if (n >= 0)
+        return true;
+    memcpy(base, out, r->size);
+    r->set(out, rational_from(1, 1));
+    return r->apply(out, '/', base, r->field);
 }
 
 static bool cases_value(void *out, const struct node *f, const struct environment *e,
@@ -124,7 +130,7 @@ static bool apply_to_numbers(void *a, char operation, void *b, const void *field
 bool exact_value(struct number *out, const struct node *f, const struct environment *e,
                  const struct field *k)
 {
-    const struct ring ring = { sizeof *out, MAX_EXACT_EXPONENT, k, simple_number, set_number,
+    const struct ring ring = { sizeof *out, 0, MAX_EXACT_EXPONENT, k, simple_number, set_number,
                                apply_to_numbers };
 
     return ring_value(out, f, e, &ring);

@@ -14,7 +14,7 @@
 /* What the values are. */
 struct ring {
     size_t size;                                   /* of a value */
-    int64_t most;                                  /* the largest exponent */
+    int64_t least, most;                           /* exponents; x^-n is 1/x^n */
     const void *field;                             /* for the functions below */
 
     /* The value of a formula that is not made from others; false if it has none. */

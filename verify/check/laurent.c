@@ -105,7 +105,8 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
 
 bool laurent_weights(struct laurent *out, const struct rule *rule, const struct environment *e)
 {
-    const struct ring ring = { sizeof *out, MAX_LAURENT_EXPONENT, NULL, simple, set, apply };
+    const struct ring ring = { sizeof *out, -MAX_LAURENT_EXPONENT, MAX_LAURENT_EXPONENT, NULL,
+                               simple, set, apply };
     struct laurent *rest = &out[rule->rest];
 
     *rest = constant(rational_from(1, 1));

@@ -2,9 +2,19 @@
 
 #include "spline.h"
 
-enum { MAX_QUAD = 16, MAX_TRIANGLE = 17 };
+enum { MAX_QUAD = 16, MAX_TRIANGLE = 17, SIDE = MAX_TRIANGLE + 1 };
 
 static const struct label direction[3] = { { 1, 0 }, { 0, 1 }, { 1, -1 } };
+
+/* degree! P(m; T) for all T in the support of m, once they have been asked for. */
+struct piece {
+    bool known;
+    integer *polynomial;
+};
+
+struct pieces {
+    struct piece *of[SIDE][SIDE][SIDE];
+};
 
 /* Divides by 1 + z^-e_i = z^-e_i (1 + z^e_i) as often as that goes. */
 bool spline_find(struct spline *out, const struct mask *mask, enum mesh mesh)
@@ -33,6 +43,7 @@ bool spline_find(struct spline *out, const struct mask *mask, enum mesh mesh)
         return false;
     out->c.a += left.point->a;
     out->c.b += left.point->b;
+    out->pieces = mesh == TRIANGLE ? allocate(1, sizeof *out->pieces) : NULL;
     return mesh == TRIANGLE ? total <= MAX_TRIANGLE
                             : out->m[0] <= MAX_QUAD && out->m[1] <= MAX_QUAD;
 }
@@ -113,18 +124,6 @@ static interval *along_axis(int m, int c, int low, int side, int g)
  * ---------
  *
  * A polynomial of degree D in w0, w1, w2 is a square of D + 1 rows; NULL: 0. */
-
-enum { SIDE = MAX_TRIANGLE + 1 };
-
-/* degree! P(m; T) for all T in the support of m, once they have been asked for. */
-struct piece {
-    bool known;
-    integer *polynomial;
-};
-
-struct pieces {
-    struct piece *of[SIDE][SIDE][SIDE];
-};
 
 /* out += (p0 w0 + p1 w1 + p2 w2) f, f of degree n - 1 */
 static void add_product(integer *out, const integer *f, int n, const int p[3])
@@ -211,7 +210,6 @@ static const integer *piece_at(struct pieces *p, const int m[3], struct element 
 static interval *triangle_polynomials(const struct spline *s, enum element_kind kind,
                                       const struct window *window, int degree, int g)
 {
-    struct pieces *pieces = allocate(1, sizeof *pieces);
     int count = (degree + 1) * (degree + 1);
     interval *out = allocate((size_t)window->count * (size_t)count, sizeof out[0]);
     integer scale = factorial(degree);
@@ -219,7 +217,7 @@ static interval *triangle_polynomials(const struct spline *s, enum element_kind 
     for (int n = 0; n < window->count; n++) {
         struct element t = { kind == ELEMENT_E ? ELEMENT_U : kind,
                              -window->label[n].a - s->c.a, -window->label[n].b - s->c.b };
-        const integer *p = piece_at(pieces, s->m, t);
+        const integer *p = piece_at(s->pieces, s->m, t);
 
         for (int i = 0; p != NULL && i < count; i++)
             out[n * count + i] = grid_from_fraction(p[i], scale, g);

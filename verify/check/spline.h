@@ -10,6 +10,7 @@
 struct spline {
     int m[3];
     struct label c;
+    struct pieces *pieces;                         /* triangles: those that are known, for all m */
 };
 
 /* Whether the mask is of a box spline, of a size that is allowed. */

@@ -205,6 +205,12 @@ static struct value apply_exactly(struct value a, char operation, struct value b
     return out;
 }
 
+/* The rational 0; a range of it, too. */
+static bool is_zero(const struct value *v)
+{
+    return v->kind == RATIONAL && v->q.num.sign == 0 && v->q_last.num.sign == 0;
+}
+
 struct value value_apply(struct value a, char operation, struct value b,
                          const struct node *at, int g)
 {
@@ -219,9 +225,9 @@ struct value value_apply(struct value a, char operation, struct value b,
     if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
         return value_undefined(at, "division by zero", false);
 
-    /* Exact: rational with rational; angle +- angle; angle times or divided
+    /* Exact: rational with rational; angle +- angle, 0 being one; angle times or divided
      * by a rational; angle / angle.  In ranges a factor varies at most. */
-    if (!both_exact || (sum && angles == 1) || (operation == '*' && angles == 2) ||
+    if (!both_exact || (sum && angles == 1 && !is_zero(&a) && !is_zero(&b)) || (operation == '*' && angles == 2) ||
         (operation == '/' && angles == 1 && b.kind == ANGLE) ||
         (operation == '*' && a.range && b.range) ||
         (operation == '/' && b.range && !is_signed_range(&b)))
@@ -430,8 +436,7 @@ static struct value cos_or_sin(struct value v, const struct node *at, int g)
 {
     rational low = v.q, high = v.q_last, half = rational_from(1, 2), exact;
 
-    if (v.kind == ENCLOSURE || (v.kind == RATIONAL &&
-                                (v.q.num.sign != 0 || v.q_last.num.sign != 0)))
+    if (v.kind == ENCLOSURE || (v.kind == RATIONAL && !is_zero(&v)))
         return value_undefined(at, "cos and sin are of 0 or a rational multiple of pi", false);
     if (is_unbounded(&v))
         return value_enclosure(interval_hull(grid_from(-1, g), grid_from(1, g)));
