@@ -168,9 +168,10 @@ damaged_ranges() {
     [ ! -e broken/$file ] && cmp -s before broken/$file.damaged
     holds "range-$damage-aside" $? "$(ls broken)"
     expect "range-$damage-verify" 0 'certificates hold' archive verify broken
-    "$SMOOTHCERT_CHECK" --scheme "$scheme" --valence all broken/*.cert >stdout 2>stderr
-    ! grep -q 'are about valence' stdout stderr
-    holds "range-$damage-checker" $? "$(grep -h 'are about valence' stdout stderr)"
+    # What it claims from 20 on, the checker wants about each valence once.
+    rm -rf part && mkdir part && cp broken/valence-[2-9][0-9]*.cert broken/valence-1[0-9][0-9]*.cert part/
+    "$SMOOTHCERT_CHECK" --scheme "$scheme" --valence 20..inf --claim not-c1 part >stdout 2>stderr
+    holds "range-$damage-checker" $? "$(tail -n 1 stdout) $(cat stderr)"
     expect "range-$damage-again" 1 'not C1' prove "$scheme" --valence all --out broken
     [ ! -s stderr ]
     holds "range-$damage-again-silent" $? "$(cat stderr)"
@@ -179,7 +180,7 @@ damaged_ranges() {
   "$SMOOTHCERT" prove "$scheme" --valence 79 --out single >stdout 2>&1
   cp single/valence-79.cert whole/
   expect range-twice 64 'valence-79.cert and the certificate of 62..79 speak of a valence twice' prove "$scheme" --valence all --out whole
-  rm -rf whole broken single before
+  rm -rf whole broken part single before
 }
 
 # Directories of earlier versions of the program: without journal, with certificates of format 0.
