@@ -94,7 +94,7 @@ static void decide_next(progress_of_partition *s, decision *d)
     s->boxes++;
     if (!beyond && decide_box(s, d)) {
         s->singles = 0;
-    } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || is_far(s->k) || s->singles >= MAX_SINGLES)) {
+    } else if (s->range.last == VALENCES_UNBOUNDED && (beyond || s->singles >= (is_far(s->k) ? 1 : MAX_SINGLES))) {
         leave_open(s, d);
     } else {
         decide_valence(d, s->p->problem, s->k, NULL, s->p->limits);

@@ -152,6 +152,8 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
     prepare_bases(out, &scheme->mask, g, c);
 }
 
+/* Looks up each label that leaves will ask for: what a net finds it keeps, and trees, which release
+ * memory, must find it there. */
 void characteristic_use(struct characteristic *c, const struct net *net)
 {
     c->net = *net;
