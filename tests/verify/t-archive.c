@@ -114,7 +114,7 @@ static void test_contradictions(void)
     test_begin("archive-contradictions");
     for (test_cases(2000); test_next();) {
         archive_index_entry entry[6];
-        archive_index z = {entry, 0, 0};
+        archive_index z = {.entry = entry};
         valence_range pair[2];
         bool expected = false, found;
         for (long first = 3, count = 0; count < 6; count++, first += random_range(0, 2)) {
