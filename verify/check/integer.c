@@ -209,7 +209,7 @@ bool integer_get_small(int64_t *out, integer a, int64_t bound)
     if (a.length > 2)
         return false;
     for (int i = a.length - 1; i >= 0; i--)
-        magnitude = magnitude << 32 | a.limb.here[i];
+        magnitude = magnitude << 32 | limbs(&a)[i];
     if (bound < 0 || magnitude > (uint64_t)bound)
         return false;
     *out = a.sign * (int64_t)magnitude;

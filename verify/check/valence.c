@@ -20,7 +20,21 @@ const struct active_rule *valence_rule(const struct active_step *step, bool cent
     return NULL;
 }
 
-/* out = W_0 .. W_(k-1); returns their sum, which is never an angle. */
+/* Gives back the memory since the mark, but for both. */
+static void keep_both(struct mark mark, interval *x, struct value *v)
+{
+    bool exact = v->kind != ENCLOSURE;
+    integer part[4] = { x->lo, x->hi, exact ? v->q.num : v->x.lo, exact ? v->q.den : v->x.hi };
+
+    integer_keep(mark, part, 4);
+    *x = (interval) { part[0], part[1] };
+    if (exact)                                     /* and no range */
+        v->q = v->q_last = (rational) { part[2], part[3] };
+    else
+        v->x = (interval) { part[2], part[3] };
+}
+
+/* out = W_0 .. W_(k-1); returns their sum. */
 static struct value weigh_each(interval *out, const struct node *formula, const struct valence *v)
 {
     struct value sum = value_from(rational_from(0, 1));
@@ -34,17 +48,7 @@ static struct value weigh_each(interval *out, const struct node *formula, const 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
         out[j] = value_enclose(w, v->g);
         sum = value_apply(sum, '+', w, NULL, v->g);
-
-        integer keep[4] = { out[j].lo, out[j].hi,
-                            sum.kind == RATIONAL ? sum.q.num : sum.x.lo,
-                            sum.kind == RATIONAL ? sum.q.den : sum.x.hi };
-
-        integer_keep(mark, keep, 4);
-        out[j] = (interval) { keep[0], keep[1] };
-        if (sum.kind == RATIONAL)
-            sum.q = sum.q_last = (rational) { keep[2], keep[3] };
-        else
-            sum.x = (interval) { keep[2], keep[3] };
+        keep_both(mark, &out[j], &sum);
     }
     return sum;
 }
