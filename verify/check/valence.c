@@ -20,6 +20,11 @@ const struct active_rule *valence_rule(const struct active_step *step, bool cent
     return NULL;
 }
 
+bool valence_is_regular(const struct valence *v)
+{
+    return !span_is_several(v->k) && v->k.first == (v->scheme->mesh == TRIANGLE ? 6 : 4);
+}
+
 /* Gives back the memory since the mark, but for both. */
 static void keep_both(struct mark mark, interval *x, struct value *v)
 {
@@ -91,7 +96,7 @@ static void weigh(struct active_rule *out, const struct valence *v)
         } else {
             value = evaluate(w->source->weight,
                              w->source->kind == SOURCE_SPECTRUM ? &zero : &plain);
-            if (rule->centre && span_is_several(v->k) && !value_is_bounded(&value)) {
+            if (rule->centre && span_is_several(v->k) && value_is_only_unbounded(&value)) {
                 out->missing = keep_value(value);
                 return;
             }
@@ -122,6 +127,17 @@ static bool rule_holds(const struct rule *rule, const struct environment *e,
     return truth == YES;
 }
 
+/* A centre without a rule keeps its value: it is the only old point in the mask of its class. */
+static void check_centre(const struct active_step *s, const struct valence *v)
+{
+    const struct stencil_entry *own = &s->stencil.entry[0];
+    bool of_plane = s->rules == 0 && valence_is_regular(v);
+    bool keeps = s->stencil.first[1] == 1 && own->a == 0 && own->b == 0;
+
+    if (s->step->new != DUAL && valence_rule(s, true, 0, 0) == NULL && !keeps && !of_plane)
+        cannot_check("the centre has no rule, and the mask does not give it its old value");
+}
+
 static void prepare_step(struct active_step *out, const struct step *step, const struct valence *v)
 {
     struct environment e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
@@ -141,6 +157,7 @@ static void prepare_step(struct active_step *out, const struct step *step, const
         weigh(&out->rule[out->rules], v);
         out->rules++;
     }
+    check_centre(out, v);
 }
 
 enum property { NOT_EACH, UNIFORM, LOCAL, DEFINED };
@@ -193,11 +210,6 @@ static void prepare_angles(struct valence *v)
         v->cosine[n] = grid_cos_pi(rational_from(2 * n, v->k.first), v->g);
         v->sine[n] = grid_sin_pi(rational_from(2 * n, v->k.first), v->g);
     }
-}
-
-bool valence_is_regular(const struct valence *v)
-{
-    return !span_is_several(v->k) && v->k.first == (v->scheme->mesh == TRIANGLE ? 6 : 4);
 }
 
 void valence_prepare(struct valence *out, const struct scheme *scheme,
