@@ -295,7 +295,7 @@ butterfly() {
   answer "butterfly-$1" "$2" "$3" --scheme "$here/butterfly.scheme" --valence 5 --claim c1 "$work/lie.cert"
 }
 
-butterfly negative 1 'non-negative' ''
+butterfly negative 1 'stability: 1024/1024 is not proved for q_0' ''
 butterfly contraction-12 1 'power 1 of 2 a_12' 's/^contraction .*/contraction 1 2 2/'
 butterfly contraction-13 1 'power 1 of 2 a_13' 's/^contraction .*/contraction 2 1 2/'
 butterfly contraction-23 1 'power 1 of 2 a_23' 's/^contraction .*/contraction 2 2 1/'

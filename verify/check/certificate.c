@@ -746,6 +746,7 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
 {
     out->line_of.contraction = read_record(out, "contraction", "n", out->contraction, 3, 1,
                                            MAX_CONTRACTION);
+    out->line_of.stability = out->line_of.contraction;
     out->real = true;
     out->frequency = 1;
     for (int i = 0; i < 3; i++)

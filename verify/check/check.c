@@ -144,6 +144,7 @@ static void check_contraction(struct statement *s, const struct certificate *c)
     }
 }
 
+/* Version 0 has no such record, and K = 1 for non-negative masks only. */
 static void check_stability(struct statement *s, const struct certificate *c)
 {
     int line = c->line_of.stability;
@@ -164,19 +165,11 @@ static void check_stability(struct statement *s, const struct certificate *c)
         if (n > 0 && s->proved.stability_power[i] == n && s->proved.stability[i] == t)
             continue;                              /* n = 0: nothing is proved yet */
         if (n < 1 || t <= 1024 || !stability_holds(&s->q[i], n, t))
-            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d", (long long)t, i);
+            rejected(c->file, line, "stability: %lld/1024 is not proved for q_%d, which has "
+                     "negative weights", (long long)t, i);
         s->proved.stability_power[i] = n;
         s->proved.stability[i] = t;
     }
-}
-
-/* Version 0 knows only K = 1. */
-static void check_nonnegative(const struct statement *s, const struct certificate *c)
-{
-    for (int i = 0; i < 3; i++)
-        if (!mask_is_nonnegative(&s->q[i]))
-            rejected(c->file, c->regularity.line, "regularity: version 0 needs "
-                     "non-negative masks for values and derivatives");
 }
 
 /* Sections 5 and 6
@@ -300,7 +293,7 @@ static struct verified check_ties(const struct statement *s, const struct valenc
 
 /* One eigenpair, and what its function decides.  The plain form says nothing about the form of
  * the other blocks. */
-static struct verified check_eigenpair(const struct statement *s, const struct block *block,
+static struct verified check_eigenpair(struct statement *s, const struct block *block,
                                        const struct certificate *c)
 {
     const struct valence *v = block->v;
@@ -315,7 +308,7 @@ static struct verified check_eigenpair(const struct statement *s, const struct b
         check_rest(&proved, 1, v, c->real && block->plain ? v->scheme->mirrored : c->real,
                    proved.pair.s, c);
     if (c->version == 0)
-        check_nonnegative(s, c);
+        check_stability(s, c);
     prepare_net(characteristic, &proved, s->q);
     decide_claim(characteristic, c);
     out.eigenvalue = eigenvalue_size(&proved.pair, out.real, c->grid);
