@@ -449,7 +449,7 @@ static void read_second(struct certificate *c, const int n[2])
     read_form(&own);
     if (!own.real)
         rejected(c->file, own.line_of.form, "form: expected `real`, or for frequency 0 `plain`");
-    own.n = own.size = own.frequency == 0 ? n[0] : n[1];
+    own.n = own.size = n[own.frequency == 0 ? 0 : 1];
     read_eigenpair(&own.second, &own);
     c->second_frequency = own.frequency;
     c->second = own.second;
@@ -765,11 +765,11 @@ void certificate_read_form(struct certificate *out, bool plainly_regular)
     read_form(out);
 }
 
-void certificate_read_choices(struct certificate *out, int n, const int n_second[2])
+void certificate_read_choices(struct certificate *out, const int n[2])
 {
     out->has_splines = out->version > 0 && out->claim == CLAIM_C1;
-    out->n = n;
-    out->size = out->real ? n : 2 * n;
+    out->n = n[out->frequency == 0 ? 0 : 1];
+    out->size = out->real ? out->n : 2 * out->n;
     if (out->size > (out->version == 0 ? MAX_UNKNOWNS_0 : MAX_UNKNOWNS_1))
         cannot_check("%s: blocks of %d unknowns", out->file, out->size);
     if (out->graded)
@@ -779,7 +779,7 @@ void certificate_read_choices(struct certificate *out, int n, const int n_second
     else
         read_eigenpair(&out->pair, out);
     if (out->reason == REASON_REAL)
-        read_second(out, n_second);
+        read_second(out, n);
     if (out->version == 0)
         read_powers_0(out);
     else if (out->reason != REASON_NOT_C0 && span_is_several(out->valence))

@@ -145,9 +145,9 @@ void certificate_read_form(struct certificate *out, bool plainly_regular);
 /* Is the reason one of exact.md? */
 bool certificate_is_exact(const struct certificate *c);
 
-/* What follows up to `boundary` or `witness`, for blocks of n unknowns (plain form: one less than
- * block 0 has); reason real: the second one has n_second[0] for m' = 0, else n_second[1]. */
-void certificate_read_choices(struct certificate *out, int n, const int n_second[2]);
+/* What follows up to `boundary` or `witness`, for eigenpairs of n[0] unknowns at frequency 0 (plain
+ * form: one less than block 0 has), else of n[1]. */
+void certificate_read_choices(struct certificate *out, const int n[2]);
 
 void certificate_read_end(struct certificate *out);
 

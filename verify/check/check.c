@@ -327,25 +327,14 @@ static void prepare_block(struct block *out, const struct valence *v, const stru
     out->has_y = out->has_y || !c->real;
 }
 
-/* How many unknowns has the eigenpair of block m in the real form (0: plain)? */
-static int unknowns(const struct valence *v, int64_t m)
-{
-    struct mark mark = scratch_mark();
-    struct block block;
-
-    block_prepare(&block, v, true, span_of(m));
-    scratch_release(mark);
-    return m == 0 ? block.n - 1 : block.n;
-}
-
 static struct verified check_choices(struct statement *s, struct certificate *c)
 {
     struct reference reference = { c->version == 0 ? NULL : c->file, c->line_of.scheme };
     struct valence *v = allocate(1, sizeof *v);
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
-    int n_second[2] = { 0, 0 };
     struct block block;
+    int n[2];                                      /* of block 0, and of others */
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
     out.plainly_regular = v->plainly_regular && c->version > 0;
@@ -368,9 +357,10 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    for (int m = 0; m < 2 && c->reason == REASON_REAL; m++)
-        n_second[m] = unknowns(v, m);
-    certificate_read_choices(c, block.plain && !c->graded ? block.n - 1 : block.n, n_second);
+    /* As many as points, as x and y at (a,b), a > b, are for (b,a), too; block 0: and the centre. */
+    n[1] = block.plain && s->scheme.mesh != DUAL ? block.n - 1 : block.n;
+    n[0] = c->graded ? block.n : s->scheme.mesh != DUAL ? n[1] : n[1] - 1;
+    certificate_read_choices(c, n);
     certificate_read_end(c);
 
     check_contraction(s, c);
