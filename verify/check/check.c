@@ -315,13 +315,13 @@ static struct verified check_eigenpair(struct statement *s, const struct block *
     return out;
 }
 
-/* The block that the certificate's choices are about. */
+/* The block that the certificate's choices are about; of a window any one of as many unknowns. */
 static void prepare_block(struct block *out, const struct valence *v, const struct certificate *c)
 {
     if (c->graded)
         graded_prepare_block(out, v);
     else if (span_is_several(c->valence))
-        valences_prepare_block(out, v, c->frequency);
+        valences_prepare_block(out, v, c->frequency < 0 ? 1 : c->frequency);
     else
         block_prepare(out, v, c->real, span_of(c->frequency));
     out->has_y = out->has_y || !c->real;

@@ -42,10 +42,9 @@ void valences_prepare_block(struct block *out, const struct valence *v, int64_t 
     if (m == 0)
         block_prepare(out, v, true, span_of(0));
     else
-        block_prepare_over(out, v, span_of(m < 0 ? 1 : m),
-            affine_cosine(k.last == ENDLESS ? rational_from(0, 1)
-                                            : rational_from(m < 0 ? 1 : m, k.last),
-                          rational_from(m < 0 ? 1 : m, k.first), v->g));
+        block_prepare_over(out, v, span_of(m),
+            affine_cosine(k.last == ENDLESS ? rational_from(0, 1) : rational_from(m, k.last),
+                          rational_from(m, k.first), v->g));
 }
 
 /* Rise

@@ -7,7 +7,7 @@
 
 #include "spectrum.h"
 
-/* Block m, over all valences of v (m < 0: any other one but 0). */
+/* Block m, over all valences of v. */
 void valences_prepare_block(struct block *out, const struct valence *v, int64_t m);
 
 /* Proves that all eigenvalues but 1 and that of the pair, of the certificate's frequency, are
