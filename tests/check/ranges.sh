@@ -166,7 +166,7 @@ s/\n\n/\
 # There is no centre.
 dual() { lie doo-sabin-18-inf doo-sabin 18..inf "$@"; }
 dual nothing 0 '^verified: doo-sabin is C1 at valences 18..inf' ''
-dual limit 1 'limit: it is for all valences from some on, with a centre' '/^pivot/,/^inverse -3d/H
+dual limit 1 'scheme: there is no centre' '/^pivot/,/^inverse -3d/H
 /^block 0 0/{
 s/.*/limit 1/
 G
@@ -195,14 +195,14 @@ mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
 mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
 mask centre-of-the-mask 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
-mask rule-depends-on-k 1 'limit: only rules of the centre may depend on k' '/^claim/i\
+mask rule-depends-on-k 1 'scheme: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4 + 0*k\
 (1,0) 1/4\
 (1,0) @ 1 1/4\
 (1,1) rest\
 end'
-mask rule-with-all-sectors 1 'limit: only rules of the centre may depend on k' '/^claim/i\
+mask rule-with-all-sectors 1 'scheme: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4\
 (1,0) 1/4\

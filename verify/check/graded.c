@@ -17,18 +17,9 @@ static noreturn void reject(const struct certificate *c, int line, const char *w
 /* The block
  * --------- */
 
-static noreturn void reject_scheme(const struct valence *v, const char *why)
-{
-    rejected(v->reference.file, v->reference.line, "scheme: %s", why);
-}
-
 void graded_prepare_block(struct block *out, const struct valence *v)
 {
-    if (v->scheme->mesh == DUAL)
-        reject_scheme(v, "there is no centre");
-    if (!valence_is_uniform(v) || !valence_is_local(v))
-        reject_scheme(v, "only rules of the centre may depend on k, or have sources in all "
-                      "sectors");
+    valence_require_centre(v);
     for (int i = 0; i < v->scheme->steps; i++)     /* weights without values are not used */
         for (int n = 0; n < v->step[i].rules; n++)
             v->step[i].rule[n].missing = NULL;

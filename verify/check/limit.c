@@ -62,10 +62,7 @@ void limit_prove(const struct valence *v, const struct eigenpair *pair, const st
     struct eigenpair mu;
     integer fall = integer_max(pair->real.d.hi, integer_from(0));
 
-    if (v->k.last != ENDLESS || v->scheme->mesh == DUAL)
-        reject(&l, "it is for all valences from some on, with a centre");
-    if (!valence_is_uniform(v) || !valence_is_local(v))
-        reject(&l, "only rules of the centre may depend on k, or have sources in all sectors");
+    valence_require_centre(v);
     l.e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
     mu = eigenpair_prove(limit_matrix(&l), &choices->pair, c);
     if (!affine_is_positive(mu.real))

@@ -233,9 +233,13 @@ bool valence_is_uniform(const struct valence *v)
     return sources_are(UNIFORM, v, NULL);
 }
 
-bool valence_is_local(const struct valence *v)
+void valence_require_centre(const struct valence *v)
 {
-    return sources_are(LOCAL, v, NULL);
+    if (v->scheme->mesh == DUAL)
+        rejected(v->reference.file, v->reference.line, "scheme: there is no centre");
+    if (!sources_are(UNIFORM, v, NULL) || !sources_are(LOCAL, v, NULL))
+        rejected(v->reference.file, v->reference.line, "scheme: only rules of the centre may "
+                 "depend on k, or have sources in all sectors");
 }
 
 bool valence_has_values(const struct valence *v, int64_t m)

@@ -54,8 +54,9 @@ void valence_prepare(struct valence *out, const struct scheme *scheme,
 /* Does no weight, but of rules for the centre, depend on k or m? */
 bool valence_is_uniform(const struct valence *v);
 
-/* Has no rule, but for the centre, sources in all sectors? */
-bool valence_is_local(const struct valence *v);
+/* Rejects schemes without a centre, or where not only rules of the centre depend on k or m, or have
+ * sources in all sectors. */
+void valence_require_centre(const struct valence *v);
 
 /* One valence, that of the plane: 6 on triangles, 4 on quads? */
 bool valence_is_regular(const struct valence *v);
