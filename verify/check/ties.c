@@ -77,7 +77,7 @@ static void prove_small_roots(const interval *p, int degree, const struct proof 
     spectrum_prove_small(c, degree, g, proof->s, record, name, proof->c->file);
 }
 
-/* r_(e-1) = 1, r_(i-1) = g_i + X r_i */
+/* r_(e-1) = 1, r_(i-1) = g_i + X r_i; for g = x - lambda no coefficient is asked for */
 static void divide_by_root(struct proof *p, const interval *factor)
 {
     int e = p->factor.degree, g = p->c->grid;
@@ -107,14 +107,6 @@ static void prove_root(struct proof *p)
     p->s = spectrum_inverse_upper(p->lambda.lo, g);
     divide_by_root(p, factor);
     prove_small_roots(p->quotient, e->degree - 1, p, &e->others, "others");
-}
-
-/* modulus-one: lambda = 1 */
-static void set_root_one(struct proof *p)
-{
-    p->lambda = grid_from(1, p->c->grid);
-    p->quotient = allocate(1, sizeof p->quotient[0]);
-    p->quotient[0] = p->lambda;
 }
 
 /* Exact blocks: section 4
@@ -324,10 +316,12 @@ struct tie tie_prove(const struct valence *v, const struct mask q[3], const stru
     p->q = q;
     field_make(&p->field, c->exact.field);
     p->factor = read_factor(c, &p->field);
-    if (c->reason == REASON_MODULUS_ONE)
-        set_root_one(p);
-    else
+    if (c->reason == REASON_MODULUS_ONE) {
+        p->lambda = grid_from(1, c->grid);
+        divide_by_root(p, NULL);
+    } else {
         prove_root(p);
+    }
     for (int i = 0; i < c->exact.count; i++) {
         struct mark mark = scratch_mark();
         struct exact_line line = { .record = NULL };
