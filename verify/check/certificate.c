@@ -473,12 +473,7 @@ static void read_trees(struct trees *out, struct certificate *c, const char *nam
 
 static void read_decisions(struct certificate *c)
 {
-    integer component[2];
-    int line = read_record(c, "halfplane", "h", component, 2, NORMAL_BITS);
-
-    for (int i = 0; i < 2; i++)
-        if (!integer_get_small(&c->normal[i], component[i], INT64_C(1) << NORMAL_BITS))
-            rejected(c->file, line, "halfplane: expected a small number");
+    read_record(c, "halfplane", "h", c->normal, 2, NORMAL_BITS);
     read_trees(&c->regularity, c, "regularity");
     read_trees(&c->boundary, c, "boundary");
 }

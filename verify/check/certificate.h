@@ -119,7 +119,7 @@ struct certificate {
     struct cover *cover;
     bool has_limit;                                /* in place of block 0 */
     struct rise limit;                             /* without Q */
-    int64_t normal[2];
+    integer normal[2];
     bool has_splines;                              /* 2 is a letter */
     struct trees regularity, boundary;             /* words over {0,1,2} */
     size_t letters;                                /* of all words of trees */

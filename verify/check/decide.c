@@ -237,8 +237,8 @@ static bool jacobian_is_negative(struct tree *t, const struct leaf *l)
 /* nx x + ny y > 0 */
 static bool half_plane_contains(struct tree *t, const struct leaf *l)
 {
-    interval nx = grid_from(t->certificate->normal[0], t->g);
-    interval ny = grid_from(t->certificate->normal[1], t->g);
+    const integer *n = t->certificate->normal, one = integer_from(1);
+    interval nx = grid_from_fraction(n[0], one, t->g), ny = grid_from_fraction(n[1], one, t->g);
 
     for (int i = 0; i < l->basis[0]->side_a; i++) {
         for (int j = 0; j < l->basis[0]->side_b; j++) {
