@@ -49,8 +49,6 @@ void spectrum_prove_size(struct eigenpair *pair, const struct certificate *c)
         rejected(c->file, line, "eigenvalue: |L| is not proved to be larger than 1");
     if (c->reason == REASON_NOT_C0)
         return;
-    if (!c->real && integer_compare(l.hi, one) >= 0)
-        rejected(c->file, line, "eigenvalue: |L| is not proved to be smaller than 1");
     if (l.lo.sign <= 0 || integer_compare(l.hi, one) >= 0)
         rejected(c->file, line, "eigenvalue: its interval is not inside (0,1)");
     if (c->real)
