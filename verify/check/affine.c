@@ -3,8 +3,6 @@
 
 #include "affine.h"
 
-#include "grid.h"
-
 struct affine affine_from(interval c)
 {
     return (struct affine) { c, { { 0 }, { 0 } } };
@@ -110,23 +108,4 @@ struct affine affine_cosine(rational first, rational last, int g)
 void affine_keep(struct mark mark, struct affine *values, size_t count)
 {
     interval_keep(mark, count > 0 ? &values[0].c : NULL, 2 * count);
-}
-
-static interval *parts(const struct affine *x, size_t count, bool ranges)
-{
-    interval *out = allocate(count, sizeof out[0]);
-
-    for (size_t i = 0; i < count; i++)
-        out[i] = ranges ? affine_range(x[i]) : x[i].c;
-    return out;
-}
-
-interval *affine_constants(const struct affine *x, size_t count)
-{
-    return parts(x, count, false);
-}
-
-interval *affine_ranges(const struct affine *x, size_t count)
-{
-    return parts(x, count, true);
 }

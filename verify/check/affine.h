@@ -42,8 +42,4 @@ struct affine affine_cosine(rational first, rational last, int g);
 /* Releases scratch memory down to the mark, all but what these consist of. */
 void affine_keep(struct mark mark, struct affine *values, size_t count);
 
-/* Parts of a list: the c's, or the ranges. */
-interval *affine_constants(const struct affine *x, size_t count);
-interval *affine_ranges(const struct affine *x, size_t count);
-
 #endif

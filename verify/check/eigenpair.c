@@ -13,7 +13,7 @@ enum { INVERSE_BITS = 32 };
 struct krawczyk {
     int g, n, size, pivot;
     bool real;
-    const interval *m;                             /* size x size */
+    interval *m;                                   /* size x size */
     interval *mid, *box;                           /* x~ and X, fixed ones too */
     interval l_mid[2], l_box[2];                   /* L~ and X_L: alpha, beta */
     interval *f, *slope, *inverse;                 /* f; G and Y, size x size */
@@ -162,20 +162,24 @@ static void prove_inclusion(const struct krawczyk *s, integer radius, const char
     }
 }
 
-/* Exactly one eigenpair of the matrix is in the box round the choices, of their radius or (of a
- * range of valences) of their range, and it is simple; else rejects. */
-static struct krawczyk prove_box(const interval *matrix, const struct choices *choices,
+/* Exactly one eigenpair of the matrix's c, or (of a range of valences) of each in its range, is in
+ * the box round the choices, of their radius or range, and it is simple; else rejects. */
+static struct krawczyk prove_box(const struct affine *matrix, const struct choices *choices,
                                  bool range, const struct certificate *c)
 {
     integer radius = range ? choices->range : choices->radius;
     struct krawczyk s = { .g = c->grid, .n = c->n, .size = c->size, .pivot = choices->pivot - 1,
-                          .real = c->real, .m = matrix };
+                          .real = c->real };
+    int entries = s.size * s.size;
 
     if (radius.sign <= 0)
         rejected(c->file, choices->line_of.radius, "radius: it is not positive");
     if (choices->pivot < 1 || choices->pivot > s.n)
         rejected(c->file, choices->line_of.pivot,
                  "pivot: it is not the index of one of the %d unknowns", s.n);
+    s.m = allocate((size_t)entries, sizeof s.m[0]);
+    for (int i = 0; i < entries; i++)
+        s.m[i] = range ? affine_range(matrix[i]) : matrix[i].c;
     read_choices(&s, choices, radius);
     compute_residual(&s);
     compute_slope(&s);
@@ -245,8 +249,7 @@ static interval *solve(const struct krawczyk *s, const struct affine *matrix,
 static void add_slopes(struct eigenpair *out, const struct affine *matrix,
                        const struct choices *choices, const struct certificate *c)
 {
-    size_t entries = (size_t)c->size * (size_t)c->size;
-    struct krawczyk all = prove_box(affine_ranges(matrix, entries), choices, true, c);
+    struct krawczyk all = prove_box(matrix, choices, true, c);
     const interval *slope = solve(&all, matrix, choices, c->file);
 
     for (int i = 0; i < c->size; i++)
@@ -264,7 +267,7 @@ struct eigenpair eigenpair_prove(const struct affine *matrix, const struct choic
 
     if (span_is_several(c->valence) && integer_compare(choices->range, choices->radius) < 0)
         rejected(c->file, choices->line_of.range, "range: it is smaller than the radius");
-    s = prove_box(affine_constants(matrix, size * size), choices, false, c);
+    s = prove_box(matrix, choices, false, c);
     out.unknowns = allocate(size, sizeof out.unknowns[0]);
     for (size_t i = 0; i < size; i++)
         out.unknowns[i] = affine_from(s.box[i]);

@@ -3,7 +3,6 @@
 #include "field.h"
 
 #include "answer.h"
-#include "grid.h"
 
 #include <string.h>
 
