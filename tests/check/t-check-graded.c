@@ -105,7 +105,7 @@ static bool are_equal(struct affine x, struct affine y)
 /* What it stands for at kappa = 1/2 */
 static struct affine at_half(const struct graded_value *x)
 {
-    return x->present ? affine_scale(half_to(x->e), x->v, FINE) : affine_from_whole(0, FINE);
+    return x->present ? affine_mul(affine_from(half_to(x->e)), x->v, FINE) : affine_from_whole(0, FINE);
 }
 
 /* 3 + k/2 - 5 k^-2, and without k/2 */
@@ -162,7 +162,7 @@ static void test_block(const char *name, const char *text)
     m = scaled_matrix(graded, &c);
     for (int i = 0; i < graded->n; i++)
         for (int j = 0; j < graded->n; j++)
-            EXPECT(are_equal(affine_scale(half_to(grades[i] - grades[j] - 12), m[i * graded->n + j], FINE),
+            EXPECT(are_equal(affine_mul(affine_from(half_to(grades[i] - grades[j] - 12)), m[i * graded->n + j], FINE),
                              b[i * graded->n + j]));
     end();
 }
@@ -183,7 +183,7 @@ static void test_net(const char *name, const char *text)
     for (int i = 0; i < block->n; i++) {
         grades[i] = (i + 2) * i % 5;
         x[i] = affine_from(grid_from_rational(rational_from(11 * i % 16 - 5, 8), FINE));
-        y[i] = affine_scale(half_to(grades[i]), x[i], FINE);
+        y[i] = affine_mul(affine_from(half_to(grades[i])), x[i], FINE);
     }
     prepare_at_half(block, Q, 2);
     for (int i = 0; i < block->n; i++)

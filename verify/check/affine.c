@@ -55,14 +55,6 @@ struct affine affine_mul(struct affine x, struct affine y, int g)
     return out;
 }
 
-struct affine affine_scale(interval w, struct affine x, int g)
-{
-    x.c = grid_mul(w, x.c, g);
-    if (!interval_is_zero(x.d))
-        x.d = grid_mul(w, x.d, g);
-    return x;
-}
-
 void affine_add_multiple(struct affine *sum, interval w, const struct affine *x, int g)
 {
     sum->c = interval_add(sum->c, grid_mul(w, x->c, g));

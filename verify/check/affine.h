@@ -30,8 +30,7 @@ struct affine affine_mul(struct affine x, struct affine y, int g);
 struct affine affine_div(struct affine x, struct affine y, int g);  /* 0 not in y */
 struct affine affine_hull(struct affine x, struct affine y);
 
-/* w x; sum := sum + w x */
-struct affine affine_scale(interval w, struct affine x, int g);
+/* sum := sum + w x */
 void affine_add_multiple(struct affine *sum, interval w, const struct affine *x, int g);
 
 bool affine_is_positive(struct affine x);          /* its range is */

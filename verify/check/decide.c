@@ -237,15 +237,16 @@ static bool jacobian_is_negative(struct tree *t, const struct leaf *l)
 /* nx x + ny y > 0 */
 static bool half_plane_contains(struct tree *t, const struct leaf *l)
 {
-    const integer *n = t->certificate->normal, one = integer_from(1);
-    interval nx = grid_from_fraction(n[0], one, t->g), ny = grid_from_fraction(n[1], one, t->g);
+    const integer *n = t->certificate->normal;
+    struct affine nx = affine_from(interval_thin(integer_shift_left(n[0], t->g)));
+    struct affine ny = affine_from(interval_thin(integer_shift_left(n[1], t->g)));
 
     for (int i = 0; i < l->basis[0]->side_a; i++) {
         for (int j = 0; j < l->basis[0]->side_b; j++) {
             const struct pair *v = coefficient(l, 0, i, j);
 
-            if (v != NULL && !affine_is_positive(affine_add(affine_scale(nx, v->x, t->g),
-                                                            affine_scale(ny, v->y, t->g))))
+            if (v != NULL && !affine_is_positive(affine_add(affine_mul(nx, v->x, t->g),
+                                                            affine_mul(ny, v->y, t->g))))
                 return false;
         }
     }

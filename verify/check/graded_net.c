@@ -62,7 +62,7 @@ static void add_weighted(struct grading *s, interval w, int c, const struct grad
 {
     if (value->present)
         s->term[s->terms++] = (struct graded_value) { true, value->e - c,
-                                                      affine_scale(w, value->v, s->g) };
+                                                      affine_mul(affine_from(w), value->v, s->g) };
 }
 
 /* The centre has Laurent values for weights. */

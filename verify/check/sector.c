@@ -341,7 +341,8 @@ struct pair net_value(const struct net *net, const struct block *block, int a, i
  * -------------------------- */
 
 /* m = W T^s */
-static void power_matrix(struct affine m[4], interval w, int sectors, const struct block *block)
+static void power_matrix(struct affine m[4], struct affine w, int sectors,
+                         const struct block *block)
 {
     int g = block->v->g, turns = sectors < 0 ? -sectors : sectors;
     struct affine one = affine_from_whole(1, g), zero = affine_from_whole(0, g);
@@ -356,7 +357,7 @@ static void power_matrix(struct affine m[4], interval w, int sectors, const stru
         set_matrix(m, left.x, right.x, left.y, right.y);
     }
     for (int i = 0; i < 4; i++)
-        m[i] = affine_scale(w, m[i], g);
+        m[i] = affine_mul(w, m[i], g);
 }
 
 /* m = sum of W_j T_j */
@@ -425,7 +426,7 @@ static bool make_term(struct term *out, const struct weighted *w, const struct b
     case SOURCE_ALL:
         return false;
     case SOURCE_ONE:
-        power_matrix(out->m, w->weight.c, w->source->sectors, block);
+        power_matrix(out->m, w->weight, w->source->sectors, block);
         return true;
     case SOURCE_EACH:
         each_matrix(out->m, w->each, block);
