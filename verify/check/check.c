@@ -240,14 +240,13 @@ static void prepare_net(struct characteristic *out, struct proved_pair *p, const
 /* All of it
  * --------- */
 
-/* Bounds of L, or of |L| by its square. */
-static interval eigenvalue_size(const struct eigenpair *pair, bool real, int g)
+/* |L|; that of c1 in real form is L.  (Complex form: |L|^2 > 0 has been proved.) */
+static interval eigenvalue_size(const struct eigenpair *pair, const struct certificate *c)
 {
-    interval a = affine_range(pair->real), b = affine_range(pair->imaginary);
+    struct pair l = { pair->real, pair->imaginary };
 
-    if (real)
-        return a;
-    return grid_root(interval_add(grid_mul(a, a, g), grid_mul(b, b, g)), g);
+    return c->real ? interval_abs(affine_range(l.x))
+                   : grid_root(affine_range(pair_norm(l, c->grid)), c->grid);
 }
 
 /* Section 10, `real`. */
@@ -311,7 +310,7 @@ static struct verified check_eigenpair(struct statement *s, const struct block *
         check_stability(s, c);
     prepare_net(characteristic, &proved, s->q);
     decide_claim(characteristic, c);
-    out.eigenvalue = eigenvalue_size(&proved.pair, out.real, c->grid);
+    out.eigenvalue = eigenvalue_size(&proved.pair, c);
     return out;
 }
 
