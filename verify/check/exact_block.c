@@ -46,15 +46,12 @@ static void turn(void *v, bool behind, const struct block *block)
 }
 
 static void add_multiple(struct exact_pair *sum, const struct number *weight,
-                         const struct exact_pair *v, const struct field *k)
+                         const struct exact_pair *v, const struct block *block)
 {
-    number_add_product(&sum->x, weight, &v->x, k);
-    number_add_product(&sum->y, weight, &v->y, k);
-}
+    const struct exact_turns *t = block->own;
 
-static const struct field *exact_field(const struct block *block)
-{
-    return ((const struct exact_turns *)block->own)->k;
+    number_add_product(&sum->x, weight, &v->x, t->k);
+    number_add_product(&sum->y, weight, &v->y, t->k);
 }
 
 /* A source of one sector contributes its weight times T^sectors. */
@@ -65,7 +62,7 @@ static void add_term(void *sum, const struct term *t, const void *v, const struc
 
     for (int n = 0; n < abs(sectors); n++)
         turn(&turned, sectors > 0, block);
-    add_multiple(sum, t->own, &turned, exact_field(block));
+    add_multiple(sum, t->own, &turned, block);
 }
 
 static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
@@ -73,7 +70,7 @@ static void add_entry(void *sum, const struct stencil_entry *e, const void *v,
 {
     struct number weight = number_from(e->exact);
 
-    add_multiple(sum, &weight, v, exact_field(block));
+    add_multiple(sum, &weight, v, block);
 }
 
 static const struct arithmetic EXACT = { sizeof(struct exact_pair), turn, add_term, add_entry, NULL,
