@@ -137,8 +137,8 @@ static void check_contraction(struct statement *s, const struct certificate *c)
         if (s->proved.contraction[i] == c->contraction[i])
             continue;
         if (!regular_contracts(&s->derived.second[i], c->contraction[i]))
-            rejected(c->file, line, "contraction: power %d of 2 %s has a norm of at "
-                     "least 1", c->contraction[i], regular_pair_name(s->scheme.mesh, i));
+            rejected(c->file, line, "contraction: power %d of 2 a_%d has a norm of at "
+                     "least 1", c->contraction[i], s->derived.name[i]);
         s->proved.contraction[i] = c->contraction[i];
         scratch_release(mark);
     }

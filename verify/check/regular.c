@@ -34,14 +34,6 @@ static const int pair[2][3][2] = {
     { { 0, 0 }, { 0, 1 }, { 1, 1 } }
 };
 
-const char *regular_pair_name(enum mesh mesh, int i)
-{
-    static const char *const name[2][3] = { { "a_12", "a_13", "a_23" },
-                                            { "a_11", "a_12", "a_22" } };
-
-    return name[mesh == TRIANGLE ? 0 : 1][i];
-}
-
 bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mesh mesh)
 {
     for (int i = 0; i < 2; i++)
@@ -53,6 +45,7 @@ bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mes
         if (!mask_divide(&out->second[i], &out->first[p[0]], direction[p[1]][0],
                          direction[p[1]][1]))
             return false;
+        out->name[i] = 10 * (p[0] + 1) + p[1] + 1;
     }
     return true;
 }

@@ -9,13 +9,11 @@
 struct derived_masks {
     struct mask first[2];                          /* a_1, a_2 */
     struct mask second[3];                         /* a_dd' */
+    int name[3];                                   /* 10 d + d' */
 };
 
 /* False if a division leaves a remainder. */
 bool regular_derive(struct derived_masks *out, const struct mask *mask, enum mesh mesh);
-
-/* The names of the pairs (d,d'), as in a_12. */
-const char *regular_pair_name(enum mesh mesh, int i);
 
 /* Whether the norm of s^N, s = 2 second, is < 1. */
 bool regular_contracts(const struct mask *second, int n);
