@@ -193,6 +193,7 @@ own centre-slowly-160-inf 160..inf nothing 1 'limit: the eigenvalue is not prove
 mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
 mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
+mask grows 1 'limit: a weight of the centre grows with k' 's,^centre 1 - 7/4/k,& + k/1000000000000000,'
 mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
 mask centre-of-the-mask 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
 mask rule-depends-on-k 1 'scheme: only rules of the centre may depend on k' '/^claim/i\
