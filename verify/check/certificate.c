@@ -696,7 +696,7 @@ static void read_root(struct certificate *c, int d)
     struct exact_choices *e = &c->exact;
 
     read_factor(c, d);
-    e->line_of.eigenvalue = read_record(c, "eigenvalue", "h", &e->eigenvalue, 1,
+    e->line_of_eigenvalue = read_record(c, "eigenvalue", "h", &e->eigenvalue, 1,
                                         c->grid + BITS_ABOVE_GRID);
     read_positive(&e->radius, c, "radius");
     e->others.line = read_record(c, "others", "p", &e->others.power);

@@ -77,9 +77,7 @@ struct exact_choices {
     struct block_record others;
     int count;
     struct exact_record *line;
-    struct {
-        int eigenvalue;
-    } line_of;
+    int line_of_eigenvalue;
 };
 
 struct certificate {

@@ -98,11 +98,11 @@ static void prove_root(struct proof *p)
     p->lambda = interval_of(integer_sub(e->eigenvalue, e->radius),
                             integer_add(e->eigenvalue, e->radius));
     if (p->lambda.lo.sign <= 0 || integer_compare(p->lambda.hi, grid_from(1, g).lo) >= 0)
-        rejected(p->c->file, e->line_of.eigenvalue, "eigenvalue: its interval is not inside (0,1)");
+        rejected(p->c->file, e->line_of_eigenvalue, "eigenvalue: its interval is not inside (0,1)");
     low = factor_at(factor, e->degree, interval_thin(p->lambda.lo), g);
     high = factor_at(factor, e->degree, interval_thin(p->lambda.hi), g);
     if (interval_contains_zero(low) || interval_contains_zero(high) || low.lo.sign == high.lo.sign)
-        rejected(p->c->file, e->line_of.eigenvalue,
+        rejected(p->c->file, e->line_of_eigenvalue,
                  "eigenvalue: the factor is not proved to have a root there");
     p->s = spectrum_inverse_upper(p->lambda.lo, g);
     divide_by_root(p, factor);
