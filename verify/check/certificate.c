@@ -251,13 +251,12 @@ static int read_record(struct certificate *c, const char *name, const char *form
 }
 
 /* One number in units of 2^-g, which is to be positive. */
-static int read_positive(integer *out, struct certificate *c, const char *name)
+static void read_positive(integer *out, struct certificate *c, const char *name)
 {
     int line = read_record(c, name, "h", out, 1, c->grid + BITS_ABOVE_GRID);
 
     if (out->sign <= 0)
         rejected(c->file, line, "%s: it is not positive", name);
-    return line;
 }
 
 /* A list has no more than `limit` records of a kind; `count` are there already. */

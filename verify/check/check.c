@@ -333,7 +333,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
     struct verified out = { .real = true, .g = c->grid };
     bool several = span_is_several(c->valence);
     struct block block;
-    int n[2];                                      /* of block 0, and of others */
+    int n[2];                                      /* unknowns: of block 0, of others */
 
     valence_prepare(v, &s->scheme, reference, c->valence, c->grid);
     out.plainly_regular = v->plainly_regular && c->version > 0;
@@ -356,7 +356,7 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    /* As many as points, as x and y at (a,b), a > b, are for (b,a), too; block 0: and the centre. */
+    /* Section 5: one for each point (x and y at (a,b), a > b, are for (b,a), too), and the centre. */
     n[1] = block.plain && s->scheme.mesh != DUAL ? block.n - 1 : block.n;
     n[0] = c->graded ? block.n : s->scheme.mesh != DUAL ? n[1] : n[1] - 1;
     certificate_read_choices(c, n);

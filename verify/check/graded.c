@@ -9,11 +9,6 @@
 
 #include <limits.h>
 
-static noreturn void reject(const struct certificate *c, int line, const char *why)
-{
-    rejected(c->file, line, "%s", why);
-}
-
 /* The block
  * --------- */
 
@@ -55,7 +50,7 @@ static void scale_column(struct affine *out, int j, const struct block *block,
         if (!here->present)
             continue;
         if (shift < 0)
-            reject(c, c->line_of.form, "grades: the scaled block grows with k");
+            rejected(c->file, c->line_of.form, "grades: the scaled block grows with k");
         out[i] = affine_mul(kappa_power(s, shift), here->v, s->g);
     }
 }
@@ -87,7 +82,8 @@ static void prove_size(struct affine l, struct grading *s, const struct certific
     if (interval_contains_zero(affine_range(l)) ||
         !(affine_is_positive(affine_sub(l, one)) ||
           affine_is_positive(affine_minus(affine_add(l, one)))))
-        reject(c, c->pair.line_of.eigenvalue, "eigenvalue: |L| is not proved to be larger than 1");
+        rejected(c->file, c->pair.line_of.eigenvalue,
+                 "eigenvalue: |L| is not proved to be larger than 1");
 }
 
 /* The net
@@ -140,7 +136,7 @@ interval graded_prove(const struct block *block, const struct mask q[3],
     struct net graded, net;
 
     if (!grading_prepare(&own, c->unit, c->degree))
-        reject(c, c->line_of.form, "form: a weight of the centre has no Laurent value");
+        rejected(c->file, c->line_of.form, "form: a weight of the centre has no Laurent value");
     pair = eigenpair_prove(scaled_matrix(&own, c), &c->pair, c);
     prove_size(pair.real, own.own, c);
     characteristic_begin(characteristic, &own, q, c);

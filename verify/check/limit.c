@@ -8,7 +8,7 @@
 struct limit {
     const struct valence *v;
     const struct certificate *c;
-    struct affine kappa;                           /* 1/k */
+    struct affine kappa;                           /* 1/k; the reader has seen that k.last = inf */
     struct environment e;
 };
 
