@@ -356,7 +356,8 @@ static struct verified check_choices(struct statement *s, struct certificate *c)
         rejected(c->file, c->line_of.form, "form: %s", s->scheme.mirrored
                  ? "expected `real`" : "the scheme is not evidently mirror-symmetric");
     prepare_block(&block, v, c);
-    /* Section 5: one for each point (x and y at (a,b), a > b, are for (b,a), too), and the centre. */
+    /* Section 5: one for each point, as x and y at (a,b), a > b, are for (b,a), too; in block 0 one
+     * for the centre besides. */
     n[1] = block.plain && s->scheme.mesh != DUAL ? block.n - 1 : block.n;
     n[0] = c->graded ? block.n : s->scheme.mesh != DUAL ? n[1] : n[1] - 1;
     certificate_read_choices(c, n);
