@@ -85,7 +85,8 @@ CERTIFICATE_TESTS = \
 CORPUS_SOURCES = \
   tests/certificates/mutations.h tests/certificates/mutations.c \
   tests/certificates/corpus.h tests/certificates/corpus.c
-tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+JUDGE_SOURCES = $(CORPUS_SOURCES) tests/certificates/judge.h tests/certificates/judge.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(JUDGE_SOURCES)
 tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
 tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
 tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
