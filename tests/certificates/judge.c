@@ -17,6 +17,8 @@ void judge_answer(const trial *t)
     CHECK(a->status != 2 || strncmp(a->err, "cannot check: ", 14) == 0, "%s: not checked without saying so: %s", name, a->err);
 }
 
+/* ---- choices ---- */
+
 typedef struct {
     scheme scheme;
     problem problem;
@@ -123,29 +125,51 @@ static void compare_eigenvalue(const trial *t, const decision *d)
           d->findings.eigenvalue_lower, d->findings.eigenvalue_upper);
 }
 
-/* What the prover says of one of the valences, by itself. */
-static void judge_valence(const trial *t, const judge *j, long valence)
-{
-    limits l = {.max_precision = 1024, .deadline = {deadline_now() + 2 * SECONDS_PER_CHECK}};
-    verdict claimed = t->from->not_c1 ? VERDICT_REFUTED : VERDICT_PROVED;
-    decision d;
-    decision_init(&d);
-    decide_valence(&d, &j->problem, valence, NULL, &l);
-    CHECK(d.verdict == claimed, "accepted, but at valence %ld the prover says %s", valence, verdict_name(d.verdict));
-    compare_eigenvalue(t, &d);
-    decision_clear(&d);
-}
+/* ---- verdicts ---- */
 
 enum { ENOUGH_VALENCES = 200 }; /* beyond its first ones a range is long */
 
-void judge_accepted(const trial *t)
+void opinion_init(opinion *z, valence_range k)
 {
-    long first = t->k.first, last = t->k.last - first < ENOUGH_VALENCES ? t->k.last : first + ENOUGH_VALENCES;
+    long last = k.last - k.first < ENOUGH_VALENCES ? k.last : k.first + ENOUGH_VALENCES;
+    z->asked = false;
+    z->count = last > k.first ? 2 : 1;
+    z->valence[0] = k.first;
+    z->valence[1] = last > k.first ? k.first + 1 + (long)random_below((uint64_t)(last - k.first)) : 0;
+    for (int i = 0; i < z->count; i++)
+        decision_init(&z->at[i]);
+}
+
+void opinion_clear(opinion *z)
+{
+    for (int i = 0; i < z->count; i++)
+        decision_clear(&z->at[i]);
+}
+
+static void ask_prover(opinion *z, const judge *j)
+{
+    for (int i = 0; i < z->count && !z->asked; i++) {
+        limits l = {.max_precision = 1024, .deadline = {deadline_now() + 2 * SECONDS_PER_CHECK}};
+        decide_valence(&z->at[i], &j->problem, z->valence[i], NULL, &l);
+    }
+    z->asked = true;
+}
+
+static void compare_verdicts(const trial *t, const opinion *o)
+{
+    verdict claimed = t->from->not_c1 ? VERDICT_REFUTED : VERDICT_PROVED;
+    for (int i = 0; i < o->count; i++) {
+        CHECK(o->at[i].verdict == claimed, "accepted, but at valence %ld the prover says %s", o->valence[i], verdict_name(o->at[i].verdict));
+        compare_eigenvalue(t, &o->at[i]);
+    }
+}
+
+void judge_accepted(const trial *t, opinion *o)
+{
     judge j;
     if (judge_make(&j, t)) {
-        judge_valence(t, &j, first);
-        if (last > first && !test_failed())
-            judge_valence(t, &j, first + 1 + (long)random_below((uint64_t)(last - first)));
+        ask_prover(o, &j);
+        compare_verdicts(t, o);
         if (strncmp(t->certificate.bytes, "smoothcert-certificate 1\n", 25) == 0 && !test_failed())
             follow_choices(&j, t);
     }

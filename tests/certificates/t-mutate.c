@@ -103,8 +103,12 @@ static void examine(const trial *t, counts *n)
     n->rejected += t->answer.status == 1;
     n->cannot += t->answer.status == 2;
     n->drifted += t->answer.status == 0 && t->own_text;
-    if (t->answer.status == 0 && !unchanged)
-        judge_accepted(t);
+    if (t->answer.status == 0 && !unchanged) {
+        opinion o;
+        opinion_init(&o, t->k);
+        judge_accepted(t, &o);
+        opinion_clear(&o);
+    }
 }
 
 int main(int argc, char **argv)
