@@ -160,6 +160,7 @@ SCRIPT_TESTS = \
   tests/lib/man-examples.sh \
   tests/check/t-check-program.sh \
   tests/check/ranges.sh \
+  tests/check/reading.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
@@ -301,7 +302,8 @@ mutate: all tests/certificates/t-mutate tests/certificates/t-numbers
 
 # Does the corpus notice when a check of the checker is left out?  DISABLE="FILE:LINE ..." tries only these.
 EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors \
-  tests/check/left-out.awk tests/check/left-out.c tests/check/left-out.h
+  tests/check/left-out.awk tests/check/left-out.c tests/check/left-out.h \
+  tests/check/reading tests/check/passed.awk tests/check/declared.awk
 .PHONY: disable-checks
 disable-checks: all
 	@CC='$(CC)' SRCDIR=$(abs_srcdir) BUILDDIR=$(abs_builddir) \

@@ -194,7 +194,7 @@ mask() { own catmull-clark-mask-160-inf 160..inf "$@"; }
 mask nothing 0 '^verified: cc is C1 at valences 160..inf' ''
 mask centre-moves 1 'limit: the centre does not keep its value' 's,^centre 1 - 7/4/k,& + 1/1000,'
 mask edges-stay 1 'limit: the centre does not keep its value' 's,^all (1.0) 3/2/k,& + 1/1000,'
-mask centre-of-the-mask 1 'limit: the mask does not keep the value at the centre' '/^rule centre/,/^end/d'
+mask centre-of-the-mask 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
 mask rule-depends-on-k 1 'limit: only rules of the centre may depend on k' '/^claim/i\
 rule (1,1)\
 centre 1/4 + 0*k\
@@ -298,6 +298,14 @@ slow constants 1 'not proved to be larger than 1' ''
 rises() { CLAIM=not-c1 own centre-rises-64-70 64..70 "$@"; }
 rises nothing 0 '^verified: centre-rises is not C1 at valences 64..70 ' ''
 rises sign 1 'Krawczyk' 's/^eigenvalue /&-/'
+# Block 2 grows: block 0 is not asked for, but must be one all the same.
+spectrum() { CLAIM=not-c1 own spectrum-grows-9-2000 9..2000 "$@"; }
+spectrum nothing 0 '^verified: spectrum-grows is not C1 at valences 9..2000 (frequency 2: ' ''
+spectrum no-rule-of-the-centre 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
+spectrum unbounded 0 '^verified: ' 's,^centre 5/8,centre k*k,'
+spectrum no-value 2 'the square root of something that is or may be negative' 's,^centre 5/8,centre sqrt(0-1),'
+spectrum no-value-and-unbounded 2 'the square root of something that is or may be negative' 's,^centre 5/8,centre k*k + k^3*sqrt(0-1),'
+spectrum perhaps-no-value 1 'the square root of something that is or may be negative' 's,^centre 5/8,centre k*k + sqrt(k - 100) + k*k,'
 # What a scheme must be for this
 scaled() { CLAIM=not-c1 own sixteenth-112-inf 112..inf "$@"; }
 scaled no-rule-of-the-centre 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'

@@ -32,68 +32,78 @@ void integer_count_work(int rows, int columns)
 
 static const uint32_t *limbs(const integer *a)
 {
-    return a->length <= SHORT_LIMBS ? a->limb.here : a->limb.there;
+    if (a->length >= 0 && a->length <= SHORT_LIMBS)
+        return a->limb.here;
+    if (a->length < 0 || a->limb.there[-1] != a->serial)
+        cannot_check("the checker uses a number after its time");
+    return a->limb.there;
 }
 
 /* sign * limb[0..length) */
 static integer make(int sign, const uint32_t *limb, int length)
 {
-    integer out;
+    static uint32_t last_serial = 0;
+    uint32_t *there;
 
     while (length > 0 && limb[length - 1] == 0)
         length--;
-    out.sign = length > 0 ? sign : 0;
-    out.length = length;
-    if (length <= SHORT_LIMBS) {
-        for (int i = 0; i < length; i++)
-            out.limb.here[i] = limb[i];
-        return out;
-    }
+    if (length <= SHORT_LIMBS)
+        return (integer) { length > 0 ? sign : 0, length, 0,
+                           { { length > 0 ? limb[0] : 0, length > 1 ? limb[1] : 0 } } };
     if (length > INTEGER_LIMBS)
         cannot_check("a number of more than %d bits occurs", 32 * INTEGER_LIMBS);
-    out.limb.there = memcpy(scratch_new((size_t)length * sizeof limb[0]), limb,
-                            (size_t)length * sizeof limb[0]);
-    return out;
+    there = scratch_new(((size_t)length + 1) * sizeof limb[0]);
+    last_serial = (last_serial + 1) & 0x7fffffffu; /* never what scratch_release() writes */
+    *there++ = last_serial;
+    for (int i = 0; i < length; i++)
+        there[i] = limb[i];
+    return (integer) { sign, length, last_serial, { .there = there } };
+}
+
+/* Copies the limbs of a, and what stands in front of them; returns what is behind the copy. */
+static uint32_t *copy_limbs(uint32_t *to, const integer *a)
+{
+    size_t count = (size_t)a->length + 1;
+
+    memcpy(to, limbs(a) - 1, count * sizeof to[0]);
+    return to + count;
 }
 
 void integer_keep(struct mark mark, integer *values, size_t count)
 {
-    size_t total = 0, used = 0;
-    uint32_t *copy, *home;
+    size_t total = 0;
+    uint32_t *copy, *at, *home;
 
     for (size_t i = 0; i < count; i++)
         if (values[i].length > SHORT_LIMBS)
-            total += (size_t)values[i].length;
+            total += (size_t)values[i].length + 1;
     if (total == 0) {
         scratch_release(mark);
         return;
     }
-    copy = malloc(total * sizeof copy[0]);
+    at = copy = malloc(total * sizeof copy[0]);
     if (copy == NULL)
         cannot_check("there is not enough memory");
-    for (size_t i = 0; i < count; i++) {
-        if (values[i].length > SHORT_LIMBS) {
-            memcpy(copy + used, values[i].limb.there,
-                   (size_t)values[i].length * sizeof copy[0]);
-            used += (size_t)values[i].length;
-        }
-    }
+    for (size_t i = 0; i < count; i++)
+        if (values[i].length > SHORT_LIMBS)
+            at = copy_limbs(at, &values[i]);
     scratch_release(mark);
     home = memcpy(scratch_new(total * sizeof home[0]), copy, total * sizeof home[0]);
     free(copy);
     for (size_t i = 0; i < count; i++) {
         if (values[i].length > SHORT_LIMBS) {
-            values[i].limb.there = home;
-            home += values[i].length;
+            values[i].limb.there = home + 1;
+            home += values[i].length + 1;
         }
     }
 }
 
 void integer_store(integer *a, uint32_t *home)
 {
-    if (a->length > SHORT_LIMBS)
-        a->limb.there = memcpy(home, a->limb.there,
-                               (size_t)a->length * sizeof home[0]);
+    if (a->length <= SHORT_LIMBS)
+        return;
+    copy_limbs(home, a);
+    a->limb.there = home + 1;
 }
 
 static int compare_magnitudes(const integer *a, const integer *b)
@@ -209,7 +219,7 @@ bool integer_get_small(int64_t *out, integer a, int64_t bound)
     if (a.length > 2)
         return false;
     for (int i = a.length - 1; i >= 0; i--)
-        magnitude = magnitude << 32 | a.limb.here[i];
+        magnitude = magnitude << 32 | limbs(&a)[i];
     if (bound < 0 || magnitude > (uint64_t)bound)
         return false;
     *out = a.sign * (int64_t)magnitude;
@@ -221,7 +231,7 @@ bool integer_get_small(int64_t *out, integer a, int64_t bound)
 
 integer integer_negate(integer a)
 {
-    a.sign = -a.sign;
+    a.sign = (int16_t)-a.sign;
     return a;
 }
 

@@ -10,7 +10,9 @@
  *
  * The limbs of short integers, at most those of an int64_t, are in the structure, so
  * that it fits two registers; those of longer ones are in scratch memory (scratch.h):
- * what is to survive a release goes through integer_keep().
+ * what is to survive a release goes through integer_keep().  In front of them stands a
+ * number that only they have: if it is another one, they have been released, and the
+ * program ends with "cannot check".
  *
  * The capacity is fixed: it holds products of two rational parts of 16,384 bits
  * (lib/scheme.md) and a little more.  A result that would not fit ends the
@@ -25,8 +27,9 @@
 enum { INTEGER_LIMBS = 1056, SHORT_LIMBS = 2 };    /* 33,792 bits */
 
 typedef struct {
-    int sign;                                      /* -1, 0 or 1 */
-    int length;
+    int16_t sign;                                  /* -1, 0 or 1 */
+    int16_t length;
+    uint32_t serial;                               /* of limbs there: there[-1] */
     union {
         uint32_t here[SHORT_LIMBS];                /* length <= SHORT_LIMBS */
         const uint32_t *there;
@@ -36,7 +39,7 @@ typedef struct {
 /* Releases scratch memory down to the mark, all but the limbs of these. */
 void integer_keep(struct mark mark, integer *values, size_t count);
 
-/* Lets the limbs of a live in home[0 .. INTEGER_LIMBS), for good. */
+/* Lets the limbs of a live in home[0 .. INTEGER_LIMBS], for good. */
 void integer_store(integer *a, uint32_t *home);
 
 /* Counts work; beyond a limit "cannot check", so that every run ends. */

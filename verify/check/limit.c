@@ -37,32 +37,16 @@ static void weigh_centre(const struct limit *l, struct active_rule *rule)
     rule->missing = NULL;
 }
 
-/* Without a rule the mask must be 1 at (0,0), and 0 at the others of its class. */
-static void check_centre_of_mask(const struct limit *l, const struct active_step *step)
-{
-    const struct stencil *s = &step->stencil;
-    const struct mask *mask = &step->step->mask;
-    const integer *own = mask_cell(mask, 0, 0);
-
-    if (valence_rule(step, true, 0, 0) != NULL)
-        return;
-    if (own == NULL || integer_compare(*own, mask->denominator) != 0 ||
-        s->first[1] - s->first[0] != 1)
-        reject(l, "the mask does not keep the value at the centre");
-}
-
 /* Block 0 without the constant net, over kappa. */
 static struct affine *limit_matrix(const struct limit *l)
 {
     const struct valence *v = l->v;
     struct block block;
 
-    for (int i = 0; i < v->scheme->steps; i++) {
-        check_centre_of_mask(l, &v->step[i]);
+    for (int i = 0; i < v->scheme->steps; i++)
         for (int n = 0; n < v->step[i].rules; n++)
             if (v->step[i].rule[n].rule->centre)
                 weigh_centre(l, &v->step[i].rule[n]);
-    }
     block_prepare(&block, v, true, span_of(0));
     if (block.n != l->c->n + 1)
         reject(l, "block 0 is of another order than block 1");

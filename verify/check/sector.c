@@ -204,7 +204,6 @@ static int rings_of_unknowns(const struct scheme *scheme)
 /* New values
  * ---------- */
 
-/* Without a rule no weight of the mask but that of (0,0) may reach the centre. */
 static void find_new_value(void *sum, const struct net *old, const struct block *block, int step,
                            bool centre, int a, int b)
 {
@@ -220,8 +219,6 @@ static void find_new_value(void *sum, const struct net *old, const struct block 
     for (int i = s->first[class]; r == NULL && i < s->first[class + 1]; i++) {
         const struct stencil_entry *e = &s->entry[i];
 
-        if (centre && (e->a != 0 || e->b != 0))
-            cannot_check("the centre has no rule, and the mask does not give it its old value");
         old->of->add_entry(sum, e, net_find(old, block, (a - e->a) / s->dilation,
                                             (b - e->b) / s->dilation), block);
     }

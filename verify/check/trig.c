@@ -45,7 +45,7 @@ static struct estimate series_atan(int x, long p)
  * remembered, for nearly always the same is wanted again. */
 static struct estimate fixed_pi(long p)
 {
-    static uint32_t limb[INTEGER_LIMBS];
+    static uint32_t limb[INTEGER_LIMBS + 1];
     static struct estimate last;
     static long last_p = -1;
 

@@ -20,7 +20,26 @@ const struct active_rule *valence_rule(const struct active_step *step, bool cent
     return NULL;
 }
 
-/* out = W_0 .. W_(k-1); returns their sum, which is never an angle. */
+bool valence_is_regular(const struct valence *v)
+{
+    return !span_is_several(v->k) && v->k.first == (v->scheme->mesh == TRIANGLE ? 6 : 4);
+}
+
+/* Gives back the memory since the mark, but for both. */
+static void keep_both(struct mark mark, interval *x, struct value *v)
+{
+    bool exact = v->kind != ENCLOSURE;
+    integer part[4] = { x->lo, x->hi, exact ? v->q.num : v->x.lo, exact ? v->q.den : v->x.hi };
+
+    integer_keep(mark, part, 4);
+    *x = (interval) { part[0], part[1] };
+    if (exact)                                     /* and no range */
+        v->q = v->q_last = (rational) { part[2], part[3] };
+    else
+        v->x = (interval) { part[2], part[3] };
+}
+
+/* out = W_0 .. W_(k-1); returns their sum. */
 static struct value weigh_each(interval *out, const struct node *formula, const struct valence *v)
 {
     struct value sum = value_from(rational_from(0, 1));
@@ -34,17 +53,7 @@ static struct value weigh_each(interval *out, const struct node *formula, const 
         value_require(w, &v->scheme->language, v->reference.file, v->reference.line);
         out[j] = value_enclose(w, v->g);
         sum = value_apply(sum, '+', w, NULL, v->g);
-
-        integer keep[4] = { out[j].lo, out[j].hi,
-                            sum.kind == RATIONAL ? sum.q.num : sum.x.lo,
-                            sum.kind == RATIONAL ? sum.q.den : sum.x.hi };
-
-        integer_keep(mark, keep, 4);
-        out[j] = (interval) { keep[0], keep[1] };
-        if (sum.kind == RATIONAL)
-            sum.q = sum.q_last = (rational) { keep[2], keep[3] };
-        else
-            sum.x = (interval) { keep[2], keep[3] };
+        keep_both(mark, &out[j], &sum);
     }
     return sum;
 }
@@ -87,7 +96,7 @@ static void weigh(struct active_rule *out, const struct valence *v)
         } else {
             value = evaluate(w->source->weight,
                              w->source->kind == SOURCE_SPECTRUM ? &zero : &plain);
-            if (rule->centre && span_is_several(v->k) && !value_is_bounded(&value)) {
+            if (rule->centre && span_is_several(v->k) && value_is_only_unbounded(&value)) {
                 out->missing = keep_value(value);
                 return;
             }
@@ -118,6 +127,17 @@ static bool rule_holds(const struct rule *rule, const struct environment *e,
     return truth == YES;
 }
 
+/* A centre without a rule keeps its value: it is the only old point in the mask of its class. */
+static void check_centre(const struct active_step *s, const struct valence *v)
+{
+    const struct stencil_entry *own = &s->stencil.entry[0];
+    bool of_plane = s->rules == 0 && valence_is_regular(v);
+    bool keeps = s->stencil.first[1] == 1 && own->a == 0 && own->b == 0;
+
+    if (s->step->new != DUAL && valence_rule(s, true, 0, 0) == NULL && !keeps && !of_plane)
+        cannot_check("the centre has no rule, and the mask does not give it its old value");
+}
+
 static void prepare_step(struct active_step *out, const struct step *step, const struct valence *v)
 {
     struct environment e = environment_make(&v->scheme->language, v->k, NOTHING, NOTHING, v->g);
@@ -137,6 +157,7 @@ static void prepare_step(struct active_step *out, const struct step *step, const
         weigh(&out->rule[out->rules], v);
         out->rules++;
     }
+    check_centre(out, v);
 }
 
 enum property { NOT_EACH, UNIFORM, LOCAL, DEFINED };
@@ -189,11 +210,6 @@ static void prepare_angles(struct valence *v)
         v->cosine[n] = grid_cos_pi(rational_from(2 * n, v->k.first), v->g);
         v->sine[n] = grid_sin_pi(rational_from(2 * n, v->k.first), v->g);
     }
-}
-
-bool valence_is_regular(const struct valence *v)
-{
-    return !span_is_several(v->k) && v->k.first == (v->scheme->mesh == TRIANGLE ? 6 : 4);
 }
 
 void valence_prepare(struct valence *out, const struct scheme *scheme,

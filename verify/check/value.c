@@ -96,9 +96,9 @@ void value_keep(struct mark mark, struct value *v)
     }
 }
 
-bool value_is_bounded(const struct value *v)
+bool value_is_only_unbounded(const struct value *v)
 {
-    return v->kind != UNDEFINED && !is_unbounded(v);
+    return v->kind == UNDEFINED ? v->fault == UNBOUNDED : is_unbounded(v);
 }
 
 void value_require(struct value v, const struct language *l, const char *certificate, int line)
@@ -111,6 +111,18 @@ void value_require(struct value v, const struct language *l, const char *certifi
         rejected(certificate, line, "the formula in line %d, column %d of the scheme "
                  "has no value: %s", v.at->line, v.at->column, v.fault);
     cannot_check_at(l->file, v.at->line, v.at->column, "at this place: %s", v.fault);
+}
+
+/* How undefined?  What is only unbounded has a value at each valence; a finer grid helps some. */
+static int fault_rank(const struct value *v)
+{
+    return v->kind != UNDEFINED ? 0 : v->fault == UNBOUNDED ? 1 : v->open ? 2 : 3;
+}
+
+/* The undefined one of two, or the more undefined one. */
+static struct value undefined_one(struct value a, struct value b)
+{
+    return fault_rank(&a) >= fault_rank(&b) ? a : b;
 }
 
 /* Arithmetic
@@ -218,10 +230,8 @@ struct value value_apply(struct value a, char operation, struct value b,
     bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
     int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
 
-    if (a.kind == UNDEFINED)
-        return a;
-    if (b.kind == UNDEFINED)
-        return b;
+    if (a.kind == UNDEFINED || b.kind == UNDEFINED)
+        return undefined_one(a, b);
     if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
         return value_undefined(at, "division by zero", false);
 
@@ -328,7 +338,7 @@ struct value value_power(struct value base, struct value exponent, bool minus,
     int64_t n;
 
     if (base.kind == UNDEFINED || exponent.kind == UNDEFINED)
-        return base.kind == UNDEFINED ? base : exponent;
+        return undefined_one(base, exponent);
     if (minus)
         exponent = value_negate(exponent);
     if (exponent.range)
@@ -360,7 +370,7 @@ struct value value_power(struct value base, struct value exponent, bool minus,
 struct value value_hull(struct value a, struct value b, const struct node *at, int g)
 {
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
-        return a.kind == UNDEFINED ? a : b;
+        return undefined_one(a, b);
     if (is_unbounded(&a) || is_unbounded(&b))
         return value_undefined(at, UNBOUNDED, true);
     return value_enclosure(interval_hull(value_enclose(a, g), value_enclose(b, g)));
@@ -507,7 +517,7 @@ static struct value modulo(struct value a, struct value b, const struct node *at
 struct value value_function(struct value a, struct value b, const struct node *f, int g)
 {
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
-        return a.kind == UNDEFINED ? a : b;
+        return undefined_one(a, b);
     if (f->kind == NODE_COS || f->kind == NODE_SIN)
         return cos_or_sin(a, f, g);
     if (is_unbounded(&a) || is_unbounded(&b))

@@ -41,10 +41,12 @@ interval value_enclose(struct value v, int g);
 /* Gives back the memory since the mark, but for the value. */
 void value_keep(struct mark mark, struct value *v);
 
+/* Has it no enclosure for no other reason than that it is unbounded? */
+bool value_is_only_unbounded(const struct value *v);
+
 /* An undefined value ends the program: where it is open with "rejected" at that
  * line of the certificate (NULL: with "cannot check"), else with "cannot check".  An
  * unbounded one is rejected. */
-bool value_is_bounded(const struct value *v);
 void value_require(struct value v, const struct language *l, const char *certificate, int line);
 
 /* Operations
