@@ -23,8 +23,8 @@ typedef struct {
     int count;
 } number_edits;
 
-/* All edits of a certificate without count and hash that change something, each once.  There are too many numbers in lists: of a run of lines of one name, and
-   of the numbers of one line, no more than MOST are edited, the first one, the last one and random ones in between. */
+/* All edits of a certificate without count and hash that change something, each once.  There are too many numbers in lists: of a run of
+   lines of one name, and of the numbers of one line, no more than MOST are edited, the first, the last and random ones in between. */
 enum { MOST = 6 };
 void number_edits_make(number_edits *z, const lines *certificate);
 void number_edits_clear(number_edits *z);

@@ -172,7 +172,7 @@ int main(int argc, char **argv)
     find_sorts();
     for (test_cases(whole ? all.count : all.always + OF_EACH_SORT * all.sorts); all.count > 0 && test_next();)
         try_edit(whole ? &all.at[test_case_number() % all.count] : sample(test_case_number()), answers);
-    printf("%ld numbers edited, of %d: %ld accepted, %ld rejected, %ld cannot be checked\n", answers[0] + answers[1] + answers[2], all.count, answers[0], answers[1], answers[2]);
+    printf("%ld edits, of %d: %ld accepted, %ld rejected, %ld cannot be checked\n", answers[0] + answers[1] + answers[2], all.count, answers[0], answers[1], answers[2]);
     if (argc == 1 && !getenv("SMOOTHCERT_CASE"))
         CHECK(answers[0] && answers[1] && answers[2], "the edits do not reach every answer");
     test_end();
