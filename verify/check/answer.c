@@ -1,4 +1,4 @@
-/* The three answers; see answer.h and section 10 of certificate.md. */
+/* The three answers; see answer.h and section 11 of certificate.md. */
 
 #include "answer.h"
 

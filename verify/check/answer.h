@@ -4,7 +4,7 @@
 /* Answers
  * =======
  *
- * Section 10 of certificate.md.  There are three: verified, rejected, cannot check.  Only main()
+ * Section 11 of certificate.md.  There are three: verified, rejected, cannot check.  Only main()
  * gives the first, after everything else has returned.  The two others may be given anywhere; they
  * end the program at once, so no caller can forget to look at a result.  stdout has a line for each
  * certificate that is verified; the other answers go to stderr.

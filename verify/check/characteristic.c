@@ -132,7 +132,7 @@ void characteristic_begin(struct characteristic *out, const struct block *block,
 {
     const struct scheme *scheme = block->v->scheme;
     enum mesh mesh = scheme->mesh;
-    int g = block->v->g, omega = 0, h = mask_reach(&scheme->mask, mesh, mesh);
+    int g = block->v->g, omega = 0, h = mask_reach(&scheme->mask, mesh);
 
     memset(out, 0, sizeof *out);                   /* zeroed memory is 0 */
     out->block = block;

@@ -132,7 +132,7 @@ struct environment environment_make(const struct language *l, struct span k, str
 
         if (d->formula != NULL)
             out.definition[i] = evaluate(d->formula, &out);
-        else if (rational_compare(d->low, d->high) == 0)
+        else if (!d->interval)
             out.definition[i] = value_from(d->low);
         else
             out.definition[i] = value_enclosure(

@@ -37,10 +37,11 @@ struct node {
 
 enum { MAX_DEFINITIONS = 64, MAX_WORD = 32 };
 
-/* A `let` has a formula; a parameter has its exact ends. */
+/* A `let` has a formula; a parameter has its exact ends, or one value for both. */
 struct definition {
     char name[MAX_WORD + 1];
     const struct node *formula;                    /* NULL: a parameter */
+    bool interval;
     rational low, high;
 };
 

@@ -96,7 +96,7 @@ static bool simple(void *out, const struct node *f, const struct environment *e,
         set(out, f->number);
     else if (f->kind == NODE_K)
         ((struct laurent *)out)->c[LAURENT_DEGREE + 1] = rational_from(1, 1);
-    else if (f->kind == NODE_NAME && d->formula == NULL && rational_compare(d->low, d->high) == 0)
+    else if (f->kind == NODE_NAME && d->formula == NULL && !d->interval)
         set(out, d->low);
     else
         return false;

@@ -106,6 +106,7 @@ static void read_constant(struct definition *out, struct cursor *c, struct langu
         out->low = out->high = read_rational(c, l);
         return;
     }
+    out->interval = true;
     out->low = read_rational(c, l);
     cursor_expect(c, ',', "expected `,`");
     out->high = read_rational(c, l);
@@ -381,6 +382,7 @@ static void read_mask_and_rules(struct reader *r)
     step->old = step->new = out->mesh;
     step->dilation = 2;
     step->mask = read_mask(r);
+    step->reach = mask_reach(&step->mask, out->mesh);
     step->rule = rule;
     for (struct statements ahead = r->s; statements_more(&c, &ahead); ahead = r->s) {
         if (!cursor_accept_word(&c, "rule"))
@@ -411,10 +413,10 @@ static const struct rule *centre_rule(const struct node *own, const struct node 
 }
 
 /* The mask is on the square of this side whose lowest label is (low, low). */
-static struct step make_step(enum mesh old, enum mesh new, int dilation, int low, int side,
-                             const rational *weight, const struct rule *rule)
+static struct step make_step(enum mesh old, enum mesh new, int dilation, int reach, int low,
+                             int side, const rational *weight, const struct rule *rule)
 {
-    struct step out = { .old = old, .new = new, .dilation = dilation,
+    struct step out = { .old = old, .new = new, .dilation = dilation, .reach = reach,
                         .mask = mask_new(low, low, side, side),
                         .rules = rule == NULL ? 0 : 1, .rule = rule };
 
@@ -428,8 +430,9 @@ static struct step refine_step(enum mesh old)
 
     for (int i = 0; i < 9; i++)                    /* 1 = 4/4, 1/2 = 2/4, 1/4 */
         w[i] = rational_from((i % 3 == 1 ? 2 : 1) * (i / 3 == 1 ? 2 : 1), 4);
-    return make_step(old, QUAD, 2, old == DUAL ? -2 : -1, 3, w,
-                     old == DUAL ? centre_rule(NULL, NULL) : NULL);
+    if (old == DUAL)
+        return make_step(DUAL, QUAD, 2, 2, -2, 3, w, centre_rule(NULL, NULL));
+    return make_step(QUAD, QUAD, 2, 1, -1, 3, w, NULL);
 }
 
 static struct step smooth_step(rational own, rational edges, const struct node *at_centre[2])
@@ -440,14 +443,14 @@ static struct step smooth_step(rational own, rational edges, const struct node *
     for (int i = 0; i < 9; i++)
         w[i] = rational_divide(i % 2 == 0 ? diagonals : edges, four);
     w[4] = own;
-    return make_step(QUAD, QUAD, 1, -1, 3, w, centre_rule(at_centre[0], at_centre[1]));
+    return make_step(QUAD, QUAD, 1, 1, -1, 3, w, centre_rule(at_centre[0], at_centre[1]));
 }
 
 static struct step average_step(void)
 {
     rational quarter = rational_from(1, 4), w[4] = { quarter, quarter, quarter, quarter };
 
-    return make_step(QUAD, DUAL, 1, 0, 2, w, NULL);
+    return make_step(QUAD, DUAL, 1, 0, 0, 2, w, NULL);
 }
 
 static struct node *number_node(rational q)
@@ -552,21 +555,19 @@ static void read_composition(struct reader *r)
 /* Size
  * ---- */
 
-int mask_reach(const struct mask *mask, enum mesh old, enum mesh new)
+int mask_reach(const struct mask *mask, enum mesh mesh)
 {
     struct points p = mask_points(mask);
     int out = 0;
 
-    if (old == QUAD && new == DUAL)                /* average */
-        return 0;
     for (int i = 0; i < p.count; i++) {
         int a = p.point[i].a, b = p.point[i].b, reach;
 
-        if (old == DUAL && new == DUAL) {          /* i >= 0 counts as i + 1 */
+        if (mesh == DUAL) {                        /* i >= 0 counts as i + 1 */
             a = a >= 0 ? a + 1 : a;
             b = b >= 0 ? b + 1 : b;
         }
-        reach = lattice_distance(new, a, b);
+        reach = lattice_distance(mesh, a, b);
         out = reach > out ? reach : out;
     }
     return out;
@@ -607,12 +608,9 @@ void scheme_read(struct scheme *out, const char *file, const char *text, size_t 
         read_composition(&r);
     else
         read_mask_and_rules(&r);
-    for (int i = 0; i < out->steps; i++) {
-        struct step *step = &out->step[i];
-
-        step->reach = mask_reach(&step->mask, step->old, step->new);
-        out->mask = i == 0 ? step->mask : mask_multiply(&step->mask, &out->mask);
-    }
+    out->mask = out->step[0].mask;
+    for (int i = 1; i < out->steps; i++)
+        out->mask = mask_multiply(&out->step[i].mask, &out->mask);
     out->mirrored = scheme_is_mirrored(out);
 }
 

@@ -62,8 +62,8 @@ void scheme_read(struct scheme *out, const char *file, const char *text, size_t 
 /* Is it a triangle scheme of one mask and one rule, as in verify/scheme-0.md? */
 bool scheme_is_of_version_0(const struct scheme *scheme);
 
-/* The largest reach of a mask's points: section 5, "Size". */
-int mask_reach(const struct mask *mask, enum mesh old, enum mesh new);
+/* The largest reach of the points of a mask from this mesh to itself: section 5, "Size". */
+int mask_reach(const struct mask *mask, enum mesh mesh);
 
 /* The number of the ring of a label of the sector. */
 int label_ring(enum mesh mesh, int a, int b);

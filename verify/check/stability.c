@@ -192,10 +192,10 @@ static int64_t difference(const struct close_pairs *c, int a, int b, int da, int
 
     for (int i = first_a; i < last_a; i++) {
         const int64_t *m = row(r, a, b) + i * r->side_b;
-        const int64_t *other = row(r, ra, rb) + (i - ta) * r->side_b - tb;
+        const int64_t *other = row(r, ra, rb) + (i - ta) * r->side_b;
 
         for (int j = first_b; j < last_b; j++) {
-            int64_t here = p * m[j], there = q * other[j];
+            int64_t here = p * m[j], there = q * other[j - tb];
 
             sum += magnitude(here - there) - magnitude(here) - magnitude(there);
         }

@@ -212,7 +212,7 @@ static struct value apply_exactly(struct value a, char operation, struct value b
         if (compare_ends(end, out.q_last) > 0)
             out.q_last = end;
     }
-    if (!out.range && out.q.num.sign == 0)         /* an angle is not 0 */
+    if (out.q.num.sign == 0 && out.q_last.num.sign == 0)       /* an angle is not 0 */
         out.kind = RATIONAL;
     return out;
 }
