@@ -161,6 +161,7 @@ SCRIPT_TESTS = \
   tests/check/t-check-program.sh \
   tests/check/ranges.sh \
   tests/check/reading.sh \
+  tests/check/released.sh \
   tests/certificates/accept.sh \
   tests/certificates/reject.sh \
   tests/certificates/reject-1.sh \
