@@ -81,13 +81,17 @@ tests_verify_t_polynomial_LDADD = $(LINK_VERIFY)
 # The checker as a program, judged by the prover.
 CERTIFICATE_TESTS = \
   tests/certificates/t-mutate \
+  tests/certificates/t-numbers \
   tests/certificates/t-radius
 CORPUS_SOURCES = \
   tests/certificates/mutations.h tests/certificates/mutations.c \
   tests/certificates/corpus.h tests/certificates/corpus.c
-tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(CORPUS_SOURCES)
+JUDGE_SOURCES = $(CORPUS_SOURCES) tests/certificates/judge.h tests/certificates/judge.c
+tests_certificates_t_mutate_SOURCES = tests/certificates/t-mutate.c $(JUDGE_SOURCES)
+tests_certificates_t_numbers_SOURCES = tests/certificates/t-numbers.c tests/certificates/numbers.h tests/certificates/numbers.c $(JUDGE_SOURCES)
 tests_certificates_t_radius_SOURCES = tests/certificates/t-radius.c $(CORPUS_SOURCES)
 tests_certificates_t_mutate_LDADD = $(LINK_VERIFY)
+tests_certificates_t_numbers_LDADD = $(LINK_VERIFY)
 tests_certificates_t_radius_LDADD = $(LINK_VERIFY)
 
 # Like the checker, its test sees nothing of ours.
@@ -284,16 +288,18 @@ mutate-constants:
 
 # MUTANTS thousand random mutants of certificates, with the checker built for it with sanitizers (SANITIZE; empty: without
 # them, some times as fast); SMOOTHCERT_SEED chooses others, MUTATE="winding tie" those with such words in their names.
+# Before that, of the same certificates, each number by itself (tests/certificates/numbers.h).
 MUTANTS = 100
 MUTATE =
 SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 .PHONY: mutate
-mutate: all tests/certificates/t-mutate
+mutate: all tests/certificates/t-mutate tests/certificates/t-numbers
 	@$(MKDIR_P) mutate
 	@$(CC) $(SANITIZE) -o mutate/smoothcert-check $(srcdir)/verify/check/*.c
-	@cd mutate && SRCDIR=$(abs_srcdir) SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check \
-	  SMOOTHCERT_ROUNDS=$(MUTANTS) SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} \
-	  $(abs_builddir)/tests/certificates/t-mutate $(MUTATE)
+	@cd mutate && SRCDIR=$(abs_srcdir) && SMOOTHCERT_CHECK=$(abs_builddir)/mutate/smoothcert-check && \
+	  SMOOTHCERT_SEED=$${SMOOTHCERT_SEED:-$$(date +%s)} && export SRCDIR SMOOTHCERT_CHECK SMOOTHCERT_SEED && \
+	  $(abs_builddir)/tests/certificates/t-numbers --all $(MUTATE) && \
+	  SMOOTHCERT_ROUNDS=$(MUTANTS) $(abs_builddir)/tests/certificates/t-mutate $(MUTATE)
 
 # Does the corpus notice when a check of the checker is left out?  DISABLE="FILE:LINE ..." tries only these.
 EXTRA_DIST += tests/check/disable-checks tests/check/disable-checks.edits tests/check/disable-checks.survivors \

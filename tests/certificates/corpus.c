@@ -118,6 +118,32 @@ void corpus_read(corpus *z, const char *folder, const char *table, bool not_c1)
     free(text);
 }
 
+void corpus_read_all(corpus *z)
+{
+    corpus_read(z, "accept", "table", false);
+    corpus_read(z, "accept-1", "table", false);
+    corpus_read(z, "accept-1", "refuted", true);
+    corpus_read(z, "../check/ranges", "table", false);
+    corpus_read(z, "../check/ranges", "refuted", true);
+}
+
+static bool is_wanted(const char *name, const char *const *part)
+{
+    bool any = *part == NULL;
+    for (; *part; part++)
+        any = any || strstr(name, *part);
+    return any;
+}
+
+void corpus_choose(choice_of_bases *z, const corpus *from, const char *const *parts)
+{
+    z->count = 0;
+    for (int i = 0; i < from->count; i++)
+        if (is_wanted(from->base[i].name, parts))
+            z->base[z->count++] = &from->base[i];
+    CHECK(z->count > 0, "no such certificates");
+}
+
 const base *corpus_find(const corpus *z, const char *name)
 {
     for (int i = 0; i < z->count; i++)

@@ -24,8 +24,18 @@ typedef struct {
     int count;
 } corpus;
 
+/* Some of a corpus. */
+typedef struct {
+    const base *base[MAX_BASES];
+    int count;
+} choice_of_bases;
+
 /* Reads what the tables in `folder` of tests/certificates/ list; test_fail if that cannot be done. */
 void corpus_read(corpus *z, const char *folder, const char *table, bool not_c1);
+/* All of them. */
+void corpus_read_all(corpus *z);
+/* Those with one of the parts, a list that ends with NULL, in their names, or all if there are no parts; test_fail if there is none. */
+void corpus_choose(choice_of_bases *z, const corpus *from, const char *const *parts);
 /* The certificate of this name, NULL if there is none. */
 const base *corpus_find(const corpus *z, const char *name);
 

@@ -106,8 +106,28 @@ static void corner_number(char *out, size_t size)
     snprintf(out, size, "%s", random_bool() ? pick(hexadecimal, sizeof hexadecimal / sizeof *hexadecimal) : pick(decimal, sizeof decimal / sizeof *decimal));
 }
 
-/* A number plus or minus a power of two, of the base in which it seems to be written. */
-static void shift_number(char *out, size_t size, const char *number, bool decimal)
+bool line_has_name(const char *line, const char *name)
+{
+    size_t length = strcspn(line, " ");
+    return strlen(name) == length && strncmp(line, name, length) == 0;
+}
+
+bool number_is_decimal(const char *line, int place)
+{
+    static const char *const names[] = {"valence", "grid", "contraction", "stability", "frequency", "second", "pivot", "block", "witness", "records", "scheme", "power",
+                                        "limit", "unit", "degree", "grades", "field", "factor", "others", "exact"};
+    static const struct { const char *name; int hexadecimal; } mixed[] = {{"cover", 3}, {"rise", 1}, {"wave", 1}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (line_has_name(line, names[i]))
+            return true;
+    for (size_t i = 0; i < sizeof mixed / sizeof *mixed; i++)
+        if (line_has_name(line, mixed[i].name))
+            return place != mixed[i].hexadecimal;
+    return false;
+}
+
+/* number + 2^power, or - 2^power; the number itself where that is none, or too large a decimal one. */
+static void shift_number_by(char *out, size_t size, const char *number, bool decimal, bool down, unsigned long power)
 {
     integer x, y;
     buffer text;
@@ -116,8 +136,8 @@ static void shift_number(char *out, size_t size, const char *number, bool decima
     buffer_init(&text);
     snprintf(out, size, "%s", number);
     if (integer_set_str(&x, number, strlen(number), decimal ? 10 : 16) == INTEGER_TEXT_OK) {
-        integer_set_si(&y, random_bool() ? 1 : -1);
-        if (!integer_mul_2exp(&y, &y, below(2) ? (unsigned long)below(4) : (unsigned long)below(90)) || !integer_add(&x, &x, &y))
+        integer_set_si(&y, down ? -1 : 1);
+        if (!integer_mul_2exp(&y, &y, power) || !integer_add(&x, &x, &y))
             abort();
         if (decimal && integer_fits_si(&x))
             snprintf(out, size, "%lld", (long long)integer_get_si(&x));
@@ -129,6 +149,23 @@ static void shift_number(char *out, size_t size, const char *number, bool decima
     buffer_clear(&text);
     integer_clear(&x);
     integer_clear(&y);
+}
+
+void number_next(char *out, size_t size, const char *number, bool decimal, bool down)
+{
+    shift_number_by(out, size, number, decimal, down, 0);
+}
+
+/* A number plus or minus a power of two. */
+static void shift_number(char *out, size_t size, const char *number, bool decimal)
+{
+    bool down = !random_bool();
+    shift_number_by(out, size, number, decimal, down, below(2) ? (unsigned long)below(4) : (unsigned long)below(90));
+}
+
+void number_negate(char *out, size_t size, const char *number)
+{
+    snprintf(out, size, "%s%s", *number == '-' ? "" : "-", *number == '-' ? number + 1 : number);
 }
 
 /* ---- characters ---- */
@@ -198,7 +235,7 @@ static void mutate_token(char *out, size_t size, const char *token, bool decimal
     else if (n == 0)
         corner_number(out, size);
     else if (n == 1)
-        snprintf(out, size, "%s%s", *token == '-' ? "" : "-", *token == '-' ? token + 1 : token);
+        number_negate(out, size, token);
     else if (n == 2)
         mutate_character(out, size, token);
     else if (n < 7)
@@ -209,24 +246,7 @@ static void mutate_token(char *out, size_t size, const char *token, bool decimal
 
 /* ---- tokens of a line ---- */
 
-enum { MAX_TOKENS = 2000 };
-
-/* Some lines have numbers of both kinds. */
-static bool is_decimal_line(const char *line)
-{
-    static const char *const names[] = {"valence", "grid", "contraction", "stability", "frequency", "pivot", "block", "witness", "records", "scheme", "power", "limit", "degree", "grades"};
-    static const char *const mixed[] = {"cover", "rise", "wave"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strncmp(line, names[i], strlen(names[i])) == 0)
-            return true;
-    for (size_t i = 0; i < sizeof mixed / sizeof *mixed; i++)
-        if (strncmp(line, mixed[i], strlen(mixed[i])) == 0)
-            return random_bool();
-    return false;
-}
-
-/* The tokens of the line, which is cut up. */
-static int split_line(char **token, char *line)
+int split_line(char **token, char *line)
 {
     int count = 0;
     for (char *p = line; *p && count < MAX_TOKENS; count++) {
@@ -255,7 +275,7 @@ static void mutate_tokens(char *out, size_t size, const char *line)
     } else if (kind == 2 && count) {
         token[i] = token[j];
     } else if (kind > 3 && count && *token[i]) {
-        mutate_token(changed, sizeof changed, token[i], is_decimal_line(line));
+        mutate_token(changed, sizeof changed, token[i], number_is_decimal(line, i));
         token[i] = changed;
     }
     for (int n = 0; n < count && used < size; n++)

@@ -19,6 +19,17 @@ void lines_write(buffer *z, const lines *x);
 int lines_find(const lines *x, const char *word);
 void lines_replace(lines *z, int i, const char *line);
 
+enum { MAX_TOKENS = 2000 };
+/* The tokens of the line, which is cut up (at most MAX_TOKENS). */
+int split_line(char **token, char *line);
+
+bool line_has_name(const char *line, const char *name);
+/* Whether the number in this place of the line (its name being 0) is decimal, else it is hexadecimal. */
+bool number_is_decimal(const char *line, int place);
+void number_negate(char *out, size_t size, const char *number);
+/* The next number, or the one before; the same where it is none, or too large a decimal one. */
+void number_next(char *out, size_t size, const char *number, bool decimal, bool down);
+
 /* One random edit of the lines from `first` on: of lines, tokens, digits, numbers or trees, or lines of the same name
    taken from `other`, a certificate of something else. */
 void mutate_lines(lines *z, int first, const lines *other);

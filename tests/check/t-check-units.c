@@ -252,6 +252,25 @@ static void test_integer_shifts(void)
     end();
 }
 
+static void test_integer_get_small(void)
+{
+    begin("integer-get-small");
+    for (int i = 0; i < 20000; i++) {
+        integer a = random_integer(9);
+        int64_t bound = (int64_t)(random_word() >> random_word() % 32), value = -7;
+        bool is_small = integer_bits(a) < 64;
+
+        EXPECT(integer_get_small(&value, a, INT64_MAX) == is_small);
+        EXPECT(is_small ? equal(integer_from(value), a) : value == -7);
+        value = -7;
+        is_small = integer_compare(integer_absolute(a), integer_from(bound)) <= 0;
+        EXPECT(integer_get_small(&value, a, bound) == is_small);
+        EXPECT(is_small ? equal(integer_from(value), a) : value == -7);
+        EXPECT(!integer_get_small(&value, a, -1));
+    }
+    end();
+}
+
 static void test_integer_root(void)
 {
     begin("integer-root");
@@ -1259,6 +1278,7 @@ int main(void)
     test_integer_large();
     test_integer_division();
     test_integer_shifts();
+    test_integer_get_small();
     test_integer_root();
     test_integer_keep();
     test_integer_gcd();
