@@ -38,24 +38,24 @@ static bool is_number_zero(const formula *f)
     return f->kind == FORMULA_NUMBER && rational_is_zero(&f->number);
 }
 
-/* f = factor * j^powers[0] * k^powers[1], multiplied into what is there, or divided if sign = -1.  false: it is no such
-   product, or no memory. */
+/* f = factor * j^powers[0] * k^powers[1], multiplied into what is there, or divided if sign = -1: a product in which j is
+   multiplied by and k divided by, as the page says, and nothing that would come to the same (other programs would have to
+   see it, too).  false: it is no such product, or no memory. */
 static bool multiply_monomial(exact_value *factor, int powers[2], const formula *f, int sign)
 {
     formula_point nowhere = {0, 0, 0};
     exact_value x;
     bool known, ok;
     f = resolved(f);
-    if (f->kind == FORMULA_VARIABLE && f->op != 'm') {
+    if (f->kind == FORMULA_VARIABLE && f->op == (sign > 0 ? 'j' : 'k')) {
         powers[f->op == 'k'] += sign;
         return true;
     }
-    if (f->kind == FORMULA_BINARY && (f->op == '*' || f->op == '/'))
-        return multiply_monomial(factor, powers, f->child[0], sign) && multiply_monomial(factor, powers, f->child[1], f->op == '*' ? sign : -sign);
-    if (f->kind == FORMULA_NEGATE)
-        return multiply_monomial(factor, powers, f->child[0], sign) && exact_negate(factor, factor) == EXACT_OK;
-    if (f->depends)
-        return false;
+    if (f->depends) {
+        if (sign < 0 || f->kind != FORMULA_BINARY || (f->op != '*' && f->op != '/'))
+            return false;
+        return multiply_monomial(factor, powers, f->child[0], 1) && multiply_monomial(factor, powers, f->child[1], f->op == '*' ? 1 : -1);
+    }
     exact_init(&x);
     ok = formula_exact(&x, &known, f, &nowhere, NULL) == STATUS_OK && known && exact_binary(factor, factor, sign > 0 ? '*' : '/', &x) == EXACT_OK;
     exact_clear(&x);
@@ -75,15 +75,14 @@ static bool is_whole_turn(const formula *f)
     return ok;
 }
 
-/* min(j, k - j) or min(k - j, j) */
+/* min(j, k - j) */
 static bool is_distance(const formula *f)
 {
-    for (int i = 0; f->kind == FORMULA_MIN && f->children == 2 && i < 2; i++) {
-        const formula *other = resolved(f->child[1 - i]);
-        if (is_variable(f->child[i], 'j') && other->kind == FORMULA_BINARY && other->op == '-' && is_variable(other->child[0], 'k') && is_variable(other->child[1], 'j'))
-            return true;
-    }
-    return false;
+    const formula *other;
+    if (f->kind != FORMULA_MIN || f->children != 2 || !is_variable(f->child[0], 'j'))
+        return false;
+    other = resolved(f->child[1]);
+    return other->kind == FORMULA_BINARY && other->op == '-' && is_variable(other->child[0], 'k') && is_variable(other->child[1], 'j');
 }
 
 /* j = 0 or j != 0, which hold for both or none. */
@@ -91,7 +90,7 @@ static bool is_comparison_with_zero(const formula *f)
 {
     if (f->kind != FORMULA_COMPARE || (f->op != '=' && f->op != '!'))
         return false;
-    return (is_variable(f->child[0], 'j') && is_number_zero(f->child[1])) || (is_number_zero(f->child[0]) && is_variable(f->child[1], 'j'));
+    return is_variable(f->child[0], 'j') && is_number_zero(f->child[1]);
 }
 
 bool formula_is_even_in_sector(const formula *f)

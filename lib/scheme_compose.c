@@ -250,7 +250,7 @@ static status mend_refine(scheme_reader *r)
 /* The current line begins with `compose`. */
 status read_compose(scheme_reader *r)
 {
-    bool average = false;
+    bool average = false, last = false;
     status s = reader_expect_end(r);
     if (s == STATUS_OK && r->z->mesh != MESH_QUAD)
         s = reader_complain(r, "'compose' needs 'mesh quad' (with 'average' the control net is dual%s)", "");
@@ -265,13 +265,14 @@ status read_compose(scheme_reader *r)
         reader_next_line(r);
         if (reader_take_word(r, "end"))
             break;
-        if (average)
+        if (last)
             return reader_expected(r, "'end' behind 'average'");
         if (reader_take_word(r, "smooth"))
             s = add_smooth(r);
         else if (reader_take_word(r, "repeat"))
             s = add_repeated(r);
         else if (reader_take_word(r, "average")) {
+            last = true;
             s = read_average(&average, r);
             if (s == STATUS_OK && average)
                 s = add_average(r);

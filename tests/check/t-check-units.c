@@ -808,7 +808,8 @@ static void test_formula_values(void)
     EXPECT(is_rational("abs(-k) - min(3, 2, 5) + max(1/2, 1/3)", 11, 2));
     EXPECT(is_rational("cases(k = 3: 1; k >= 7 and k < 8: 2; else: 3)", 2, 1));
     EXPECT(is_rational("cases(k = 3 or k = 7: 5; else: 1/(k-7))", 5, 1));
-    EXPECT(is_rational("cases(pi > 3.1415: 1; else: 2)", 1, 1));
+    EXPECT(!is_rational("cases(pi > 3.1415: 1; else: 2)", 1, 1));    /* by an enclosure */
+    EXPECT(is_rational("mod(cases(k = 7: 1; pi > 3: 2; else: 3), 2)", 1, 1));
     EXPECT(is_rational("2^(k-4)", 8, 1));
     EXPECT(is_rational("(-1)^12345678901", -1, 1));
     EXPECT(is_angle("abs(-pi)", 1, 1));

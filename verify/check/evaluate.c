@@ -63,23 +63,29 @@ static struct value evaluate_chain(const struct node *f, const struct environmen
     return out;
 }
 
-/* Over a range of m or k the hull of all cases that may apply, up to one that certainly does. */
+/* Over a range of m or k the hull of all cases that may apply, up to one that certainly does.  What
+ * enclosures have decided is an enclosure, too. */
 static struct value evaluate_cases(const struct node *f, const struct environment *e)
 {
     bool range = (span_is_several(e->m) && (f->meaning & MEANS_M) != 0) ||
-                 (span_is_several(e->k) && (f->meaning & MEANS_K) != 0), several = false;
+                 (span_is_several(e->k) && (f->meaning & MEANS_K) != 0);
+    bool several = false, exact = true;
     struct value out = { .kind = UNDEFINED };
 
     for (const struct node *n = f->first; n != NULL; n = n->next->next) {
-        enum truth truth = n->next == NULL ? YES : decide(n, e, false);
+        enum truth truth = n->next == NULL ? YES : decide(n, e, true);
         const struct node *here = n->next == NULL ? n : n->next;   /* no `next`: else */
 
+        if (truth == UNKNOWN) {
+            exact = false;
+            truth = decide(n, e, false);
+        }
         if (truth == UNKNOWN && !range)
             return value_undefined(n, "this comparison cannot be decided", true);
         if (truth != NO)
             out = several ? value_hull(out, evaluate(here, e), here, e->g) : evaluate(here, e);
         if (truth == YES)
-            return out;
+            return exact ? out : value_hull(out, out, here, e->g);
         several = several || truth == UNKNOWN;
     }
     return value_undefined(f, "no case certainly applies", several);

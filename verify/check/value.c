@@ -223,27 +223,35 @@ static bool is_zero(const struct value *v)
     return v->kind == RATIONAL && v->q.num.sign == 0 && v->q_last.num.sign == 0;
 }
 
+/* Rational with rational; angle +- angle, 0 being one; angle times or divided by a rational;
+ * angle / angle.  In ranges a factor varies at most. */
+static bool is_exact(const struct value *a, char operation, const struct value *b)
+{
+    int angles = (a->kind == ANGLE ? 1 : 0) + (b->kind == ANGLE ? 1 : 0);
+
+    if (a->kind == ENCLOSURE || b->kind == ENCLOSURE)
+        return false;
+    if (operation == '*')
+        return angles < 2 && !(a->range && b->range);
+    if (operation == '/')
+        return (angles != 1 || a->kind == ANGLE) && (!b->range || is_signed_range(b));
+    return angles != 1 || is_zero(a) || is_zero(b);
+}
+
 struct value value_apply(struct value a, char operation, struct value b,
                          const struct node *at, int g)
 {
-    bool sum = operation == '+' || operation == '-';
-    bool both_exact = a.kind != ENCLOSURE && b.kind != ENCLOSURE;
-    int angles = (a.kind == ANGLE ? 1 : 0) + (b.kind == ANGLE ? 1 : 0);
+    bool angle = a.kind == ANGLE || b.kind == ANGLE;
 
     if (a.kind == UNDEFINED || b.kind == UNDEFINED)
         return undefined_one(a, b);
     if (operation == '/' && b.kind == RATIONAL && !b.range && b.q.num.sign == 0)
         return value_undefined(at, "division by zero", false);
-
-    /* Exact: rational with rational; angle +- angle, 0 being one; angle times or divided
-     * by a rational; angle / angle.  In ranges a factor varies at most. */
-    if (!both_exact || (sum && angles == 1 && !is_zero(&a) && !is_zero(&b)) || (operation == '*' && angles == 2) ||
-        (operation == '/' && angles == 1 && b.kind == ANGLE) ||
-        (operation == '*' && a.range && b.range) ||
-        (operation == '/' && b.range && !is_signed_range(&b)))
+    if (!is_exact(&a, operation, &b))
         return with_enclosures(a, operation, b, at, g);
-    return apply_exactly(a, operation, b, angles == 0 || (operation == '/' && angles == 2)
-                                          ? RATIONAL : ANGLE, at);
+    if (operation == '/' && b.kind == ANGLE)
+        angle = false;
+    return apply_exactly(a, operation, b, angle ? ANGLE : RATIONAL, at);
 }
 
 struct value value_negate(struct value v)
