@@ -26,6 +26,15 @@ void prove_raise_result(prove_run *r, int exit_status)
         r->result = exit_status;
 }
 
+/* What is wrong with the scheme at many valences alike is told once. */
+static void tell_error(prove_run *r, const char *reason)
+{
+    if (strcmp(reason, r->error) != 0)
+        complain(0, "%s:%s", r->options.scheme.name, reason);
+    snprintf(r->error, sizeof r->error, "%s", reason);
+    prove_raise_result(r, EXIT_BAD_INPUT);
+}
+
 static bool report(prove_run *r, const prove_answer *a)
 {
     const decision *d = &a->decision;
@@ -43,7 +52,7 @@ static bool report(prove_run *r, const prove_answer *a)
         return false;
     }
     if (d->outcome == OUTCOME_BAD_INPUT) {
-        prove_raise_result(r, complain(EXIT_BAD_INPUT, "%s:%s", r->options.scheme.name, decision_obstacle(d)->reason));
+        tell_error(r, decision_obstacle(d)->reason);
         return true;
     }
     (r->options.json ? prove_print_json : prove_print_line)(r->scheme.name, d, a->certificate);

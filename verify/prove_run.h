@@ -24,6 +24,7 @@ typedef struct {
     progress progress;
     long reported;
     valence_range told;            /* what the last line was about */
+    char error[256];               /* the last one of the scheme that was told */
     classification classification; /* of ranges */
     int result;                    /* the exit status */
 } prove_run;

@@ -267,6 +267,8 @@ bad_files() {
   expect endless-file 74 '/dev/zero' prove /dev/zero --valence 3 --out none
   printf 'scheme loop\nmesh \377\n' >bytes.scheme
   expect not-ascii 65 'bytes.scheme:2:6: ' prove bytes.scheme --valence 3 --out none
+  sed 's/^  centre  *3.*/  centre sqrt(0 - 1)/' "$loop" >negative.scheme
+  expect told-once 65 'the square root of something negative' prove negative.scheme --valence 3..9 --out none
   rm -f ./*.scheme
 }
 
