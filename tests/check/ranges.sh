@@ -303,6 +303,7 @@ rises sign 1 'Krawczyk' 's/^eigenvalue /&-/'
 spectrum() { CLAIM=not-c1 own spectrum-grows-9-2000 9..2000 "$@"; }
 spectrum nothing 0 '^verified: spectrum-grows is not C1 at valences 9..2000 (frequency 2: ' ''
 spectrum no-rule-of-the-centre 2 'the centre has no rule, and the mask does not give it its old value' '/^rule centre/,/^end/d'
+spectrum both-factors-vary 1 'is not proved to hold at all the valences or at none' 's/when k > 6/when k*k > 36/'
 spectrum unbounded 0 '^verified: ' 's,^centre 5/8,centre k*k,'
 spectrum no-value 2 'the square root of something that is or may be negative' 's,^centre 5/8,centre sqrt(0-1),'
 spectrum no-value-and-unbounded 2 'the square root of something that is or may be negative' 's,^centre 5/8,centre k*k + k^3*sqrt(0-1),'
