@@ -291,17 +291,23 @@ static char accept_either(struct cursor *c, const char either[2])
     return cursor_accept(c, either[0]) ? either[0] : cursor_accept(c, either[1]) ? either[1] : '\0';
 }
 
-/* operand { sign operand }, the first one with the sign `before` */
+/* operand { sign operand }, the first one with the sign `before`.  A chain in brackets at the
+ * beginning goes on, since all group from the left. */
 static struct node *read_chain(enum node_kind kind, char before, const char signs[2],
                                struct node *(*read_operand)(struct parser *), struct parser *p)
 {
-    struct node *first = read_operand(p), *out, *last = NULL;
+    struct node *first = read_operand(p), *out = first, *last = NULL;
     char join = accept_either(p->c, signs);
 
     if (join == '\0' && before == signs[0])
         return first;
-    out = new_node(kind, p);
-    append(out, &last, first, before, p);
+    if (first->kind == kind && before == signs[0]) {
+        for (last = first->first; last->next != NULL; last = last->next)
+            continue;
+    } else {
+        out = new_node(kind, p);
+        append(out, &last, first, before, p);
+    }
     for (; join != '\0'; join = accept_either(p->c, signs))
         append(out, &last, read_operand(p), join, p);
     return out;

@@ -27,7 +27,7 @@ struct node {
                                                       the second: = ! < l > g */
     } kind;
     char join;                                     /* + - * / : to what is before */
-    const struct node *first, *next;               /* operand; next of the same */
+    struct node *first, *next;                     /* operand; next of the same */
     rational number;                               /* NODE_NUMBER */
     int name;                                      /* NODE_NAME */
     int meaning;                                   /* what it depends on */
